@@ -1,0 +1,60 @@
+// The running state of a sheet as a structure of arrays, and the rest data that stay the same during a run.
+#pragma once
+
+#include "simcore/cloth/grid.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace clothlab {
+
+// n points, metres.
+struct PointArray {
+    std::vector<double> x, y, z;
+
+    PointArray() = default;
+    explicit PointArray(std::size_t n) : x(n), y(n), z(n) {}
+    std::size_t size() const { return x.size(); }
+    Vec3 at(int i) const { return {x[std::size_t(i)], y[std::size_t(i)], z[std::size_t(i)]}; }
+    void set(int i, const Vec3& p) {
+        x[std::size_t(i)] = p.x();
+        y[std::size_t(i)] = p.y();
+        z[std::size_t(i)] = p.z();
+    }
+    friend bool operator==(const PointArray&, const PointArray&) = default;
+};
+
+struct ClothState {
+    PointArray position;
+    PointArray lastPosition; // one step earlier
+    std::size_t size() const { return position.size(); }
+    friend bool operator==(const ClothState&, const ClothState&) = default;
+};
+
+// What is fixed when a run starts.
+struct Sheet {
+    Grid grid;
+    // By stencil, by the index of the point a spring starts from; 0 where no spring starts. Metres.
+    std::array<std::vector<double>, kStencils.size()> restLength;
+
+    double restLengthOf(const Spring& s) const { return restLength[std::size_t(s.stencil)][std::size_t(s.a)]; }
+};
+
+// Where the sheet starts, at rest. The unevenness of a vertical sheet is, for point after point in
+// row-major order, e = -0.001 + 0.002 * u with u the next output of SplitMix64 (Steele, Lea and Flood
+// 2014, "Fast splittable pseudorandom number generators") seeded with simulation.seed, shifted right by 11
+// and multiplied by 2^-53.
+ClothState startState(const Scene& scene);
+
+Sheet makeSheet(const Grid& grid, const PointArray& start);
+
+// One entry a point: 1 if it is pinned.
+std::vector<std::uint8_t> pinnedMask(const Cloth& cloth);
+
+// FNV-1a (Fowler, Noll and Vo) over the bits of positions, then last positions, x y z of each point in
+// turn. Equal for equal states on every platform.
+std::uint64_t stateHash(const ClothState& state);
+
+} // namespace clothlab

@@ -1,0 +1,23 @@
+// Whole frames: stepsPerFrame steps each.
+#pragma once
+
+#include "simcore/solver/verlet_solver.h"
+
+#include <atomic>
+
+namespace clothlab {
+
+struct FrameResult {
+    bool finished = false;                   // false: stopped by the flag or blown up; the state is then of no use
+    std::int64_t strainLimitCorrections = 0; // in this frame
+    std::optional<BlowUp> blowUp;
+    int blowUpStep = 0; // 1 … stepsPerFrame, where it blew up
+};
+
+// Stops between two steps once stop is true.
+FrameResult runFrame(VerletSolver& solver, ClothState& state, const std::atomic<bool>& stop);
+
+// "point 17 (x 17, y 0) …, in phase Verlet of step 3 of frame 12; …" with what usually helps.
+std::string describeBlowUp(const BlowUp& blowUp, int step, int frame, const Grid& grid);
+
+} // namespace clothlab
