@@ -54,6 +54,14 @@ Sheet makeSheet(const Grid& grid, const PointArray& start) {
     return sheet;
 }
 
+double pointMass(const Cloth& cloth) {
+    return cloth.width * cloth.height * cloth.density / cloth.pointCount();
+}
+
+double stiffness(const Cloth& cloth, SpringType type) {
+    return type == SpringType::Bending ? 0.2 * cloth.ks : cloth.ks;
+}
+
 std::vector<std::uint8_t> pinnedMask(const Cloth& cloth) {
     const Grid grid{cloth.numWidthPoints, cloth.numHeightPoints};
     std::vector<std::uint8_t> mask(std::size_t(grid.pointCount()), 0);

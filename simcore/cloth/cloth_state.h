@@ -39,7 +39,9 @@ struct Sheet {
     // By stencil, by the index of the point a spring starts from; 0 where no spring starts. Metres.
     std::array<std::vector<double>, kStencils.size()> restLength;
 
-    double restLengthOf(const Spring& s) const { return restLength[std::size_t(s.stencil)][std::size_t(s.a)]; }
+    double restLengthOf(const Spring& s) const {
+        return restLength[std::size_t(s.stencil)][std::size_t(s.a)];
+    }
 };
 
 // Where the sheet starts, at rest. The unevenness of a vertical sheet is, for point after point in
@@ -49,6 +51,9 @@ struct Sheet {
 ClothState startState(const Scene& scene);
 
 Sheet makeSheet(const Grid& grid, const PointArray& start);
+
+double pointMass(const Cloth& cloth);                  // kg
+double stiffness(const Cloth& cloth, SpringType type); // N/m, also of a type that is switched off
 
 // One entry a point: 1 if it is pinned.
 std::vector<std::uint8_t> pinnedMask(const Cloth& cloth);

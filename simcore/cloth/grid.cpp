@@ -64,10 +64,6 @@ std::vector<int> Grid::springsOf(int point) const {
     return numbers;
 }
 
-double stiffnessFactor(SpringType type) {
-    return type == SpringType::Bending ? 0.2 : 1.0;
-}
-
 std::string_view name(SpringType type) {
     constexpr std::array<std::string_view, kSpringTypes> names{"structural", "shearing", "bending"};
     return names[std::size_t(type)];

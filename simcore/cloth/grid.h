@@ -24,7 +24,8 @@ inline constexpr std::array<Stencil, 6> kStencils{{{SpringType::Structural, -1, 
                                                    {SpringType::Bending, -2, 0},
                                                    {SpringType::Bending, 0, -2}}};
 
-// Points a spring can start from: columns [xBegin, xEnd) of rows [yBegin, yEnd). Empty if the grid is too small.
+// Points a spring can start from: columns [xBegin, xEnd) of rows [yBegin, yEnd). Empty if the grid is too
+// small.
 struct StencilRange {
     int xBegin, xEnd, yBegin, yEnd;
     int columns() const { return xEnd > xBegin ? xEnd - xBegin : 0; }
@@ -55,13 +56,11 @@ struct Grid {
     int springCount(SpringType type) const;
 
     // Springs are numbered in the order of the strain limit: stencil after stencil, row-major within each.
-    Spring spring(int number) const;              // precondition: 0 <= number < springCount()
-    int springNumber(int stencil, int a) const;   // -1 if no such spring starts at a
-    std::vector<int> springsOf(int point) const;  // numbers of all springs that end there, ascending
+    Spring spring(int number) const;             // precondition: 0 <= number < springCount()
+    int springNumber(int stencil, int a) const;  // -1 if no such spring starts at a
+    std::vector<int> springsOf(int point) const; // numbers of all springs that end there, ascending
 };
 
-// Ratio of a type's stiffness to ks.
-double stiffnessFactor(SpringType type);
 std::string_view name(SpringType type); // "structural"
 
 } // namespace clothlab

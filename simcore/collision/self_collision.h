@@ -14,8 +14,8 @@ namespace clothlab {
 // place has no direction to part in and counts for nothing.
 //
 // The plain reading: all pairs.
-void selfCollisionBruteForce(const PointArray& position, const std::vector<std::uint8_t>& pinned, double distance,
-                             double share, PointArray& correction);
+void selfCollisionBruteForce(const PointArray& position, const std::vector<std::uint8_t>& pinned,
+                             double distance, double share, PointArray& correction);
 
 // The same bits in linear time: a hash of cells as wide as the distance (Teschner et al. 2003, "Optimized
 // spatial hashing for collision detection of deformable objects"). Holds its buffers, so that a step after
@@ -23,8 +23,8 @@ void selfCollisionBruteForce(const PointArray& position, const std::vector<std::
 class SelfCollision {
 public:
     // Returns how many points were corrected; correction is zero for the others.
-    int corrections(const PointArray& position, const std::vector<std::uint8_t>& pinned, double distance, double share,
-                    PointArray& correction);
+    int corrections(const PointArray& position, const std::vector<std::uint8_t>& pinned, double distance,
+                    double share, PointArray& correction);
 
 private:
     struct Cell {
@@ -35,9 +35,9 @@ private:
     void gatherNeighbours(const PointArray& position, int point, double distance);
     std::size_t bucket(const Cell& cell) const;
 
-    std::vector<Cell> m_cells;             // of each point
-    std::vector<std::uint32_t> m_begin;    // of each bucket in m_points, one more at the end
-    std::vector<std::uint32_t> m_points;   // sorted by bucket
+    std::vector<Cell> m_cells;               // of each point
+    std::vector<std::uint32_t> m_begin;      // of each bucket in m_points, one more at the end
+    std::vector<std::uint32_t> m_points;     // sorted by bucket
     std::vector<std::uint32_t> m_neighbours; // of the point at hand, ascending
 };
 

@@ -12,7 +12,8 @@ namespace clothlab {
 // One mesh: vertices in index order, texture coordinates, normals, two triangles a grid cell.
 void writeObj(std::ostream& out, const Frame& frame);
 
-// A row a point: index,x,y,position_x,…,last_position_x,…,velocity_x,…,pinned. Numbers read back as the same bits.
+// A row a point: index,x,y,position_x,…,last_position_x,…,velocity_x,…,pinned. Numbers read back as the same
+// bits.
 void writeCsv(std::ostream& out, const Frame& frame);
 
 enum class ExportFormat { Obj, Csv };

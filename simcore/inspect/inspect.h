@@ -10,16 +10,14 @@ namespace clothlab {
 // (position - last position) / time step. m/s.
 Vec3 velocity(const ClothState& state, int point, double timeStep);
 
-double pointMass(const Cloth& cloth);                  // kg
-double stiffness(const Cloth& cloth, SpringType type); // N/m, also of a type that is switched off
-
 struct SpringMeasure {
     double length = 0;     // m
     double restLength = 0; // m
     double strain = 0;     // (length - rest length) / rest length; 0 if the rest length is 0
     double force = 0;      // N, positive when it pulls its ends together; 0 when its type is switched off
 };
-SpringMeasure measureSpring(const Cloth& cloth, const Sheet& sheet, const PointArray& position, const Spring& spring);
+SpringMeasure measureSpring(const Cloth& cloth, const Sheet& sheet, const PointArray& position,
+                            const Spring& spring);
 
 // The greatest strain of the springs of each type, switched on or not; 0 if there are none.
 std::array<double, kSpringTypes> maxStrain(const Sheet& sheet, const PointArray& position);

@@ -12,17 +12,17 @@ namespace clothlab {
 struct Parameter {
     enum class Kind { Real, Integer, Boolean };
 
-    std::string_view id;     // "cloth.ks", "simulation.gravity[1]": its place in the file
-    std::string_view label;  // in panels
-    std::string_view unit;   // in panels; empty if it has none
-    std::string_view help;   // one sentence: what it does to cloth
+    std::string_view id;    // "cloth.ks", "simulation.gravity[1]": its place in the file
+    std::string_view label; // in panels
+    std::string_view unit;  // in panels; empty if it has none
+    std::string_view help;  // one sentence: what it does to cloth
     Kind kind;
     double minimum;
     double maximum;
     double sliderMinimum; // the usual range, in the file's unit
     double sliderMaximum;
-    bool logarithmic;     // of the slider
-    double panelFactor;   // value in panels = value in the file * panelFactor
+    bool logarithmic;   // of the slider
+    double panelFactor; // value in panels = value in the file * panelFactor
     double (*get)(const Scene&);
     void (*set)(Scene&, double); // precondition: minimum <= value <= maximum
 

@@ -32,10 +32,11 @@ struct Cloth {
     int numWidthPoints = 50;
     int numHeightPoints = 50;
     Orientation orientation = Orientation::Horizontal;
-    double thickness = 0.0095; // m; points of the sheet keep 2 * thickness apart; 0 switches self-collision off
-    double damping = 0.2;      // % of the velocity lost a step
-    double density = 150;      // kg/m²
-    double ks = 5000;          // N/m; bending springs have 0.2 of it
+    double thickness =
+        0.0095;           // m; points of the sheet keep 2 * thickness apart; 0 switches self-collision off
+    double damping = 0.2; // % of the velocity lost a step
+    double density = 150; // kg/m²
+    double ks = 5000;     // N/m; bending springs have 0.2 of it
     bool enableStructural = true;
     bool enableShearing = true;
     bool enableBending = true;
@@ -75,7 +76,7 @@ struct SimulationSettings {
 };
 
 struct Appearance {
-    std::string shader = "Phong";       // name of a .frag in shaders/
+    std::string shader = "Phong";         // name of a .frag in shaders/
     std::array<double, 3> color{1, 1, 1}; // sRGB, 0 … 1
     std::array<bool, kSpringTypes> springsDrawn{true, true, true};
     bool springsOverSurface = false; // draw springs with every shader, not only with Wireframe
