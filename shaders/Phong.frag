@@ -14,7 +14,7 @@ in vec4 v_normal;
 out vec4 out_color;
 
 const vec3 k_sky = vec3(0.25, 0.26, 0.28);
-const vec3 k_ground = vec3(0.10, 0.095, 0.09);
+const vec3 k_ground = vec3(0.17, 0.165, 0.16);
 const float k_camera = 0.16;
 const float k_diffuse = 0.80;
 const float k_specular = 0.22;

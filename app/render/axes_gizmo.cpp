@@ -8,8 +8,8 @@
 namespace clothlab::render {
 namespace {
 
-constexpr float kShaft = 24;  // pixels
-constexpr float kLetter = 33; // distance of the letter's middle
+constexpr float kShaft = 24;   // pixels
+constexpr float kLetter = 33;  // distance of the letter's middle
 constexpr float kGlyph = 3.6F; // half a letter's height
 
 struct Stroke {
@@ -43,7 +43,8 @@ void makeAxesGizmo(const QMatrix4x4& viewProjection, float scale, std::array<Giz
     const std::array<QVector3D, 3> screen = screenAxes(viewProjection);
     for (std::size_t axis = 0; axis < axes.size(); ++axis)
         makeAxis(axis, screen, scale, axes[axis]);
-    std::sort(axes.begin(), axes.end(), [](const GizmoAxis& a, const GizmoAxis& b) { return a.depth > b.depth; });
+    std::sort(axes.begin(), axes.end(),
+              [](const GizmoAxis& a, const GizmoAxis& b) { return a.depth > b.depth; });
 }
 
 } // namespace clothlab::render

@@ -115,7 +115,9 @@ void SheetBuffers::drawElements(Gl& gl, GLenum mode, GpuBuffer& indices) {
     gl.glDrawElements(mode, indices.count(), GL_UNSIGNED_INT, nullptr);
 }
 
-void SheetBuffers::drawSurface(Gl& gl) { drawElements(gl, GL_TRIANGLES, m_triangles); }
+void SheetBuffers::drawSurface(Gl& gl) {
+    drawElements(gl, GL_TRIANGLES, m_triangles);
+}
 
 void SheetBuffers::drawSprings(Gl& gl, SpringType type) {
     const auto i = static_cast<std::size_t>(type);
@@ -128,7 +130,9 @@ void SheetBuffers::drawSprings(Gl& gl, SpringType type) {
     drawElements(gl, GL_LINES, m_springs[i]);
 }
 
-void SheetBuffers::drawPinned(Gl& gl) { drawElements(gl, GL_POINTS, m_pinned); }
+void SheetBuffers::drawPinned(Gl& gl) {
+    drawElements(gl, GL_POINTS, m_pinned);
+}
 
 void PositionBuffer::initialize(Gl& gl) {
     static_assert(sizeof(QVector3D) == 3 * sizeof(float));

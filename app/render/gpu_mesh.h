@@ -1,5 +1,5 @@
-// Buffers and vertex arrays. They hold GL objects of one context; nothing is freed by destructors, which may run
-// without a context: destroy() frees.
+// Buffers and vertex arrays. They hold GL objects of one context; nothing is freed by destructors, which may
+// run without a context: destroy() frees.
 #pragma once
 
 #include "app/render/gl_functions.h"
@@ -15,7 +15,8 @@ namespace clothlab::render {
 class GpuBuffer {
 public:
     // Leaves the buffer bound to `target`. The old store is given up, so that no draw call is waited for.
-    template <typename T> void upload(Gl& gl, GLenum target, std::span<const T> data, GLenum usage) {
+    template <typename T>
+    void upload(Gl& gl, GLenum target, std::span<const T> data, GLenum usage) {
         create(gl);
         gl.glBindBuffer(target, m_id);
         gl.glBufferData(target, static_cast<GLsizeiptr>(data.size_bytes()), data.data(), usage);

@@ -15,12 +15,13 @@ namespace clothlab::render {
 namespace {
 
 // Calmer than the sheet, which is drawn in the frame's own colour.
-const QVector4D kColliderColor{0.42F, 0.44F, 0.47F, 1};
-const QVector4D kPlaneColor{0.30F, 0.31F, 0.33F, 1};
+const QVector4D kColliderColor{0.46F, 0.48F, 0.51F, 1};
+const QVector4D kPlaneColor{0.36F, 0.37F, 0.39F, 1};
 const QVector4D kGridColor{0.62F, 0.65F, 0.69F, 1};
 
-// Pixels at scale 1. Bending springs lie under structural ones on a flat sheet: drawn wider, they show on both sides.
-constexpr std::array<float, kSpringTypes> kSpringWidth{1.5F, 1.2F, 2.6F};
+// Pixels at scale 1. Bending springs lie under structural ones on a flat sheet: drawn wider, they show on
+// both sides.
+constexpr std::array<float, kSpringTypes> kSpringWidth{1.6F, 1.2F, 2.8F};
 constexpr std::array<float, kSpringTypes> kSpringMaxFill{0.16F, 0.10F, 0.15F}; // of their own length
 constexpr std::array<float, kSpringTypes> kSpringNearer{4.0F, 3.5F, 3.0F};
 constexpr float kHighlightWidth = 4;
@@ -29,7 +30,9 @@ constexpr float kPinnedRadius = 4;
 constexpr float kOnTop = 6;         // nearer to the viewer, in pixels' size
 constexpr float kGhostAlpha = 0.3F; // of dots and highlights behind something
 
-QVector4D toVector(const QColor& color) { return {color.redF(), color.greenF(), color.blueF(), color.alphaF()}; }
+QVector4D toVector(const QColor& color) {
+    return {color.redF(), color.greenF(), color.blueF(), color.alphaF()};
+}
 
 QVector4D faded(QVector4D color, float factor) {
     color.setW(color.w() * factor);
@@ -61,7 +64,8 @@ private:
     void drawPinned(const RenderFrame& frame);
     void drawAxes(const RenderFrame& frame);
     void setView(const ShaderProgram& program, const QMatrix4x4& viewProjection, QSize pixels);
-    template <typename Draw> void drawOnTop(const ShaderProgram& program, const QVector4D& color, Draw draw);
+    template <typename Draw>
+    void drawOnTop(const ShaderProgram& program, const QVector4D& color, Draw draw);
 
     QSize m_pixels;
     SheetBuffers m_sheet;
@@ -327,21 +331,33 @@ Renderer::Renderer() : m_passes(std::make_unique<Passes>()) {}
 
 Renderer::~Renderer() = default;
 
-bool Renderer::initialize(QString* error) { return m_passes->initialize(error); }
+bool Renderer::initialize(QString* error) {
+    return m_passes->initialize(error);
+}
 
-bool Renderer::isInitialized() const { return m_passes->gl != nullptr; }
+bool Renderer::isInitialized() const {
+    return m_passes->gl != nullptr;
+}
 
-void Renderer::release() { m_passes->release(); }
+void Renderer::release() {
+    m_passes->release();
+}
 
-void Renderer::setShaderDirectory(const QString& directory) { m_passes->shaders.setDirectory(directory); }
+void Renderer::setShaderDirectory(const QString& directory) {
+    m_passes->shaders.setDirectory(directory);
+}
 
-void Renderer::reloadShaders() { m_passes->shaders.reload(); }
+void Renderer::reloadShaders() {
+    m_passes->shaders.reload();
+}
 
 void Renderer::render(const RenderFrame& frame, QSize pixels) {
     if (isInitialized() && !pixels.isEmpty())
         m_passes->render(frame, pixels);
 }
 
-const QStringList& Renderer::messages() const { return m_passes->shaders.messages(); }
+const QStringList& Renderer::messages() const {
+    return m_passes->shaders.messages();
+}
 
 } // namespace clothlab::render

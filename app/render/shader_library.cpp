@@ -50,10 +50,10 @@ QString vertexShaderFor(const QDir& directory, const QString& name) {
 
 QStringList listShaders(const QString& directory) {
     QStringList names;
-    const QStringList files =
-        directory.isEmpty() ? QStringList()
-                            : QDir(directory).entryList({QStringLiteral("*.frag")}, QDir::Files,
-                                                        QDir::Name | QDir::IgnoreCase);
+    const QStringList files = directory.isEmpty()
+                                  ? QStringList()
+                                  : QDir(directory).entryList({QStringLiteral("*.frag")}, QDir::Files,
+                                                              QDir::Name | QDir::IgnoreCase);
     for (const QString& file : files)
         names.append(QFileInfo(file).completeBaseName());
     if (names.removeOne(kWireframe))
@@ -103,8 +103,7 @@ bool ShaderLibrary::initialize(Gl& gl, QString* error) {
 }
 
 void ShaderLibrary::destroy(Gl& gl) {
-    for (ShaderProgram* program :
-         {&m_surface, &m_springs, &m_plainSurface, &m_lines, &m_dots, &m_ground})
+    for (ShaderProgram* program : {&m_surface, &m_springs, &m_plainSurface, &m_lines, &m_dots, &m_ground})
         program->destroy(gl);
     reload();
 }
@@ -141,6 +140,8 @@ const ShaderProgram& ShaderLibrary::springs(Gl& gl) {
     return m_springs.isValid() ? m_springs : m_lines;
 }
 
-void ShaderLibrary::gatherMessages() { m_messages = m_surfaceMessages + m_springsMessages; }
+void ShaderLibrary::gatherMessages() {
+    m_messages = m_surfaceMessages + m_springsMessages;
+}
 
 } // namespace clothlab::render

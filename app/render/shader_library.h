@@ -8,11 +8,10 @@
 
 namespace clothlab::render {
 
-
-// NAME.frag is linked with NAME.vert of the same directory if there is one, else with Default.vert there, else with
-// the Default.vert that is part of the program. Wireframe.frag is linked with the internal line shaders, which
-// provide the same varyings. A shader that can't be read, compiled or linked says so in messages(), and what was
-// last good stays: for surfaces the shader drawn before, else a plain internal one.
+// NAME.frag is linked with NAME.vert of the same directory if there is one, else with Default.vert there,
+// else with the Default.vert that is part of the program. Wireframe.frag is linked with the internal line
+// shaders, which provide the same varyings. A shader that can't be read, compiled or linked says so in
+// messages(), and what was last good stays: for surfaces the shader drawn before, else a plain internal one.
 class ShaderLibrary {
 public:
     void setDirectory(const QString& directory);

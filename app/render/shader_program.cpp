@@ -8,9 +8,9 @@ namespace clothlab::render {
 namespace {
 
 constexpr std::array<const char*, static_cast<std::size_t>(Uniform::Count)> kUniformNames{
-    "u_model",         "u_view_projection", "u_color",          "u_cam_pos",  "u_light_pos",
+    "u_model",           "u_view_projection", "u_color",          "u_cam_pos",  "u_light_pos",
     "u_light_intensity", "u_normal_scaling",  "u_height_scaling", "u_viewport", "u_pixel_size",
-    "u_depth_slope",   "u_depth_bias",      "u_width",          "u_max_fill", "u_radius",
+    "u_depth_slope",     "u_depth_bias",      "u_width",          "u_max_fill", "u_radius",
 };
 
 GLuint compileStage(Gl& gl, const ShaderStage& stage, QStringList& messages) {
@@ -28,7 +28,8 @@ GLuint compileStage(Gl& gl, const ShaderStage& stage, QStringList& messages) {
     QByteArray log(std::max(logLength, 1), '\0');
     gl.glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
     const QStringList readable = readableShaderLog(stage.file, QString::fromUtf8(log.constData()));
-    messages += readable.isEmpty() ? QStringList(stage.file + QStringLiteral(": does not compile")) : readable;
+    messages +=
+        readable.isEmpty() ? QStringList(stage.file + QStringLiteral(": does not compile")) : readable;
     gl.glDeleteShader(shader);
     return 0;
 }
@@ -88,7 +89,9 @@ void ShaderProgram::destroy(Gl& gl) {
     m_id = 0;
 }
 
-void ShaderProgram::set(Gl& gl, Uniform uniform, float value) const { gl.glUniform1f(location(uniform), value); }
+void ShaderProgram::set(Gl& gl, Uniform uniform, float value) const {
+    gl.glUniform1f(location(uniform), value);
+}
 
 void ShaderProgram::set(Gl& gl, Uniform uniform, const QVector2D& value) const {
     gl.glUniform2f(location(uniform), value.x(), value.y());

@@ -47,7 +47,8 @@ struct ShaderStage {
 // Holds GL objects of one context. Nothing is freed by the destructor, which may run without a context.
 class ShaderProgram {
 public:
-    // Compiles and links. On failure the program stays what it was before, and `messages` gets what the driver said.
+    // Compiles and links. On failure the program stays what it was before, and `messages` gets what the
+    // driver said.
     bool build(Gl& gl, std::span<const ShaderStage> stages, QStringList& messages);
     void destroy(Gl& gl);
     bool isValid() const { return m_id != 0; }

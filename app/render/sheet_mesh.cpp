@@ -101,13 +101,13 @@ void SheetMesh::computeNormals() {
     }
 }
 
-// On a grid dp/du is the difference along the row: of the neighbours on both sides, or at the border of the one.
+// On a grid dp/du is the difference along the row: of the neighbours on both sides, or at the border of the
+// one.
 void SheetMesh::computeTangents() {
     for (int y = 0; y < m_height; ++y) {
         SurfaceVertex* row = m_mesh.vertices.data() + static_cast<std::ptrdiff_t>(y) * m_width;
         for (int x = 0; x < m_width; ++x) {
-            const Vec3 along =
-                row[std::min(x + 1, m_width - 1)].position - row[std::max(x - 1, 0)].position;
+            const Vec3 along = row[std::min(x + 1, m_width - 1)].position - row[std::max(x - 1, 0)].position;
             const Vec3 n{row[x].normal[0], row[x].normal[1], row[x].normal[2]};
             const Vec3 t = normalizedOr(along - dot(along, n) * n, anyPerpendicular(n));
             row[x].tangent = {t[0], t[1], t[2], 0};

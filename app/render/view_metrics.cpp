@@ -3,7 +3,9 @@
 namespace clothlab::render {
 namespace {
 
-QVector3D rowDirection(const QMatrix4x4& matrix, int row) { return matrix.row(row).toVector3D(); }
+QVector3D rowDirection(const QMatrix4x4& matrix, int row) {
+    return matrix.row(row).toVector3D();
+}
 
 } // namespace
 

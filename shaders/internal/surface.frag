@@ -15,5 +15,5 @@ void main() {
     vec3 to_camera = normalize(u_cam_pos - v_position.xyz);
     float facing = max(dot(n, to_camera), 0.0);
     float sky = 0.5 + 0.5 * n.y;
-    out_color = vec4(u_color.rgb * (0.25 + 0.40 * sky + 0.30 * facing), u_color.a);
+    out_color = vec4(u_color.rgb * (0.15 + 0.35 * sky + 0.35 * facing), u_color.a);
 }

@@ -17,7 +17,8 @@ using namespace clothlab::render;
 
 namespace {
 
-template <typename Place> SheetShape makeSheet(int width, int height, Place place) {
+template <typename Place>
+SheetShape makeSheet(int width, int height, Place place) {
     SheetShape sheet;
     sheet.width = width;
     sheet.height = height;
@@ -31,11 +32,17 @@ template <typename Place> SheetShape makeSheet(int width, int height, Place plac
     return sheet;
 }
 
-Vec3 flat(float u, float v) { return {u, 0, v}; }
+Vec3 flat(float u, float v) {
+    return {u, 0, v};
+}
 
-Vec3 direction(const std::array<float, 4>& a) { return {a[0], a[1], a[2]}; }
+Vec3 direction(const std::array<float, 4>& a) {
+    return {a[0], a[1], a[2]};
+}
 
-float length(const Vec3& a) { return std::sqrt(dot(a, a)); }
+float length(const Vec3& a) {
+    return std::sqrt(dot(a, a));
+}
 
 bool areUnitAndPerpendicular(const SurfaceMesh& mesh) {
     return std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [](const SurfaceVertex& vertex) {
@@ -94,8 +101,8 @@ void SheetMeshTest::flatSheetPointsUp() {
     QCOMPARE(worstWinding(mesh.mesh()), 1.0F);
 }
 
-// A cell folded along its diagonal: each end of the diagonal has angles of a right triangle on both sides, so its
-// normal is the plain mean of both; the other two corners have the normal of their own triangle.
+// A cell folded along its diagonal: each end of the diagonal has angles of a right triangle on both sides, so
+// its normal is the plain mean of both; the other two corners have the normal of their own triangle.
 void SheetMeshTest::normalsAreWeightedByAngle() {
     SheetShape sheet = makeSheet(2, 2, flat);
     sheet.positions[1] = 1; // the first corner, lifted
@@ -104,7 +111,8 @@ void SheetMeshTest::normalsAreWeightedByAngle() {
     const auto& v = mesh.mesh().vertices;
     const Vec3 lifted = normalizedOr(cross(v[2].position - v[0].position, v[1].position - v[0].position), {});
     const Vec3 flatNormal{0, 1, 0};
-    // Corners of the lifted triangle: sides sqrt 2 all three, so 60 degrees; of the flat one 45 at the diagonal.
+    // Corners of the lifted triangle: sides sqrt 2 all three, so 60 degrees; of the flat one 45 at the
+    // diagonal.
     const Vec3 expected = normalizedOr(60.0F * lifted + 45.0F * flatNormal, {});
     for (const std::size_t corner : {1U, 2U})
         QVERIFY(length(direction(v[corner].normal) - expected) < 2e-4F);
@@ -113,9 +121,7 @@ void SheetMeshTest::normalsAreWeightedByAngle() {
 }
 
 void SheetMeshTest::normalsOfASphericalSheet() {
-    const auto onSphere = [](float u, float v) {
-        return normalizedOr({u - 0.5F, 1, v - 0.5F}, {});
-    };
+    const auto onSphere = [](float u, float v) { return normalizedOr({u - 0.5F, 1, v - 0.5F}, {}); };
     SheetMesh mesh;
     mesh.update(makeSheet(65, 65, onSphere));
     QVERIFY(areUnitAndPerpendicular(mesh.mesh()));
@@ -145,10 +151,20 @@ void SheetMeshTest::textureCoordinatesSpanTheSheet() {
 }
 
 void SheetMeshTest::degenerateSheetsHaveUnitDirections() {
-    const std::array sheets{makeSheet(3, 3, [](float, float) { return Vec3{1, 2, 3}; }),
-                            makeSheet(3, 3, [](float u, float v) { return Vec3{u + v, 0, 0}; }),
-                            makeSheet(1, 1, flat), makeSheet(1, 5, flat), makeSheet(5, 1, flat),
-                            makeSheet(2, 2, [](float u, float v) { return Vec3{1e-12F * u, 0, 1e-12F * v}; })};
+    const std::array sheets{makeSheet(3, 3,
+                                      [](float, float) {
+                                          return Vec3{1, 2, 3};
+                                      }),
+                            makeSheet(3, 3,
+                                      [](float u, float v) {
+                                          return Vec3{u + v, 0, 0};
+                                      }),
+                            makeSheet(1, 1, flat),
+                            makeSheet(1, 5, flat),
+                            makeSheet(5, 1, flat),
+                            makeSheet(2, 2, [](float u, float v) {
+                                return Vec3{1e-12F * u, 0, 1e-12F * v};
+                            })};
     for (const SheetShape& sheet : sheets) {
         SheetMesh mesh;
         mesh.update(sheet);
@@ -160,7 +176,8 @@ void SheetMeshTest::degenerateSheetsHaveUnitDirections() {
 
 // A simulation that blew up at one point must not take the normals of all others with it.
 void SheetMeshTest::notANumberStaysWhereItIs() {
-    for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 3e30F}) {
+    for (const float bad :
+         {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 3e30F}) {
         SheetShape sheet = makeSheet(8, 8, flat);
         sheet.positions[1] = bad;
         SheetMesh mesh;
@@ -224,7 +241,8 @@ void SheetMeshTest::springsAreThoseOfTheStencils() {
         for (std::size_t i = 0; i < indices.size(); i += 2) {
             const int dx = std::abs(static_cast<int>(indices[i] % w) - static_cast<int>(indices[i + 1] % w));
             const int dy = std::abs(static_cast<int>(indices[i] / w) - static_cast<int>(indices[i + 1] / w));
-            const std::array<bool, kSpringTypes> fits{dx + dy == 1, dx == 1 && dy == 1, dx + dy == 2 && dx * dy == 0};
+            const std::array<bool, kSpringTypes> fits{dx + dy == 1, dx == 1 && dy == 1,
+                                                      dx + dy == 2 && dx * dy == 0};
             QVERIFY(fits[static_cast<std::size_t>(type)]);
             pairs.insert(std::minmax(indices[i], indices[i + 1]));
         }
@@ -243,7 +261,8 @@ void SheetMeshTest::sphereIsClosedAndFacesOutward() {
     for (std::size_t i = 0; i < sphere.indices.size(); i += 3)
         volume += static_cast<double>(dot(sphere.vertices[sphere.indices[i]].position,
                                           cross(sphere.vertices[sphere.indices[i + 1]].position,
-                                                sphere.vertices[sphere.indices[i + 2]].position))) / 6;
+                                                sphere.vertices[sphere.indices[i + 2]].position))) /
+                  6;
     QVERIFY(std::abs(volume - 4 * std::numbers::pi / 3) < 0.02);
     QCOMPARE(sphere.uvs.front(), (std::array<float, 2>{0, 0}));
     QCOMPARE(sphere.vertices.front().position[1], 1.0F);
@@ -258,7 +277,8 @@ void SheetMeshTest::planeFollowsItsNormal() {
     const SurfaceMesh square = makePlaneSquare();
     QVERIFY(areUnitAndPerpendicular(square));
     QCOMPARE(worstWinding(square), 1.0F);
-    for (const QVector3D normal : {QVector3D(0, 1, 0), QVector3D(0, -2, 0), QVector3D(3, 4, 0), QVector3D(0, 0, -0.1F)}) {
+    for (const QVector3D normal :
+         {QVector3D(0, 1, 0), QVector3D(0, -2, 0), QVector3D(3, 4, 0), QVector3D(0, 0, -0.1F)}) {
         const QMatrix4x4 model = planeModel({QVector3D(1, 2, 3), normal});
         QVERIFY((model.mapVector(QVector3D(0, 1, 0)) - normal.normalized()).length() < 1e-5F);
         QVERIFY((model.map(QVector3D()) - QVector3D(1, 2, 3)).length() < 1e-6F);
