@@ -26,7 +26,8 @@ SheetShape makeSheet(int width, int height, Place place) {
         for (int x = 0; x < width; ++x) {
             const Vec3 p = place(width > 1 ? static_cast<float>(x) / static_cast<float>(width - 1) : 0.0F,
                                  height > 1 ? static_cast<float>(y) / static_cast<float>(height - 1) : 0.0F);
-            sheet.positions.insert(sheet.positions.end(), p.begin(), p.end());
+            for (const float coordinate : p)
+                sheet.positions.push_back(coordinate);
         }
     }
     return sheet;
