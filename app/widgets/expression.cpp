@@ -185,6 +185,37 @@ private:
     QString m_error;
 };
 
+struct PlainText {
+    QByteArray text;
+    QString error;
+};
+
+// Without spaces and with a decimal point. Pasted text may hold a typographic minus or the letter pi; both
+// are clear. "1 2" may be meant as 12 or as two numbers, so it is neither.
+PlainText toPlainText(const QString& text) {
+    const auto isWord = [](QChar c) { return c.isLetterOrNumber() || c == u'.' || c == u','; };
+    QByteArray plain;
+    QChar previous;
+    bool gap = false;
+    for (const QChar c : text) {
+        if (c.isSpace()) {
+            gap = true;
+            continue;
+        }
+        const bool known = c.unicode() > 32 && c.unicode() < 127;
+        if ((gap && isWord(previous) && isWord(c)) || (!known && c != QChar(0x2212) && c != QChar(0x03C0))) {
+            return {{}, tr("“%1” is not expected here").arg(c)};
+        }
+        plain += c == QChar(0x2212) ? "-" : c == QChar(0x03C0) ? "pi" : c == u',' ? "." : "";
+        if (known && c != u',') {
+            plain += c.toLatin1();
+        }
+        previous = c;
+        gap = false;
+    }
+    return {plain, {}};
+}
+
 } // namespace
 
 ExpressionResult evaluateExpression(const QString& text) {
@@ -194,25 +225,8 @@ ExpressionResult evaluateExpression(const QString& text) {
     if (text.size() > kMaximumLength) {
         return {0, tr("it is too long")};
     }
-    QByteArray plain;
-    for (const QChar c : text.toLower()) {
-        if (c.isSpace()) {
-            continue;
-        }
-        if (c.unicode() > 126 || c.unicode() < 32) {
-            // Pasted text may hold a typographic minus or the letter pi; both are clear.
-            if (c == QChar(0x2212)) {
-                plain += '-';
-            } else if (c == QChar(0x03C0)) {
-                plain += "pi";
-            } else {
-                return {0, tr("“%1” is not expected here").arg(c)};
-            }
-        } else {
-            plain += c == QLatin1Char(',') ? '.' : c.toLatin1();
-        }
-    }
-    return Parser(plain).run();
+    const PlainText plain = toPlainText(text.toLower());
+    return plain.error.isEmpty() ? Parser(plain.text).run() : ExpressionResult{0, plain.error};
 }
 
 } // namespace clothlab

@@ -114,7 +114,8 @@ QIcon themedIcon(const QString& name) {
 QStringList iconNames() {
     initResources();
     QStringList names;
-    const QStringList files = QDir(QStringLiteral(":/icons")).entryList({QStringLiteral("*.svg")}, QDir::Files);
+    const QStringList files =
+        QDir(QStringLiteral(":/icons")).entryList({QStringLiteral("*.svg")}, QDir::Files);
     for (const QString& file : files) {
         names.append(file.chopped(4));
     }

@@ -184,7 +184,7 @@ QString themeStyleSheet(Theme theme) {
         sheet += values.value(match.captured(1));
         end = match.capturedEnd();
     }
-    return sheet + QStringView(source).mid(end);
+    return sheet + source.mid(end);
 }
 
 void applyTheme(QApplication& application, Theme theme) {

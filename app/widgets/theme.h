@@ -51,7 +51,8 @@ const ThemeColors& themeColors();
 const ThemeColors& themeColors(Theme theme);
 
 // Gives the application the Fusion style, the palette and the style sheet of `theme`. May be called at any
-// time; widgets that are shown repaint, and icons of themedIcon() follow.
+// time; widgets that are shown repaint, and icons of themedIcon() follow. Links in rich text keep the colour
+// they had when the text was set, as always in Qt.
 void applyTheme(QApplication& application, Theme theme);
 
 // The theme that was applied last, Dark before any.
