@@ -9,7 +9,8 @@ namespace clothlab {
 namespace {
 
 QColor colorOf(const Appearance& appearance) {
-    return QColor::fromRgbF(float(appearance.color[0]), float(appearance.color[1]), float(appearance.color[2]));
+    return QColor::fromRgbF(float(appearance.color[0]), float(appearance.color[1]),
+                            float(appearance.color[2]));
 }
 
 } // namespace
@@ -35,7 +36,8 @@ AppearancePanel::AppearancePanel(Document& document, const QStringList& shaders,
     m_shader->addItems(shaders);
     m_shader->setAccessibleName(tr("Shader"));
     m_shader->setToolTip(tr("The .frag files in the folder of shaders. Wireframe draws the springs."));
-    connect(m_shader, &QComboBox::textActivated, this, [this](const QString& shader) { setShader(m_document, shader); });
+    connect(m_shader, &QComboBox::textActivated, this,
+            [this](const QString& shader) { setShader(m_document, shader); });
     layout->addRow(tr("Shader"), m_shader);
 
     m_color->setObjectName("sheetColor");

@@ -125,15 +125,17 @@ void InspectorPanel::showSpring(int number) {
     const SpringMeasure m = measureSpring(cloth, m_simulation.sheet(), frame.state.position, spring);
 
     m_title->setText(tr("%1 spring %2").arg(typeName(spring.type())).arg(number));
-    showLines({{tr("Type"), typeName(spring.type()) + (cloth.enabled(spring.type()) ? QString() : tr(" (off)"))},
-               {tr("From"), pointName(grid, spring.a)},
-               {tr("To"), pointName(grid, spring.b)},
-               {tr("Length"), withUnit(m.length, "m")},
-               {tr("Rest length"), withUnit(m.restLength, "m")},
-               {tr("Strain"), percent(m.strain)},
-               {tr("Force"), withUnit(m.force, "N") +
-                                 (m.force > 0 ? tr(" pulling") : m.force < 0 ? tr(" pushing") : QString())},
-               {tr("Stiffness"), withUnit(stiffness(cloth, spring.type()), "N/m")}});
+    showLines(
+        {{tr("Type"), typeName(spring.type()) + (cloth.enabled(spring.type()) ? QString() : tr(" (off)"))},
+         {tr("From"), pointName(grid, spring.a)},
+         {tr("To"), pointName(grid, spring.b)},
+         {tr("Length"), withUnit(m.length, "m")},
+         {tr("Rest length"), withUnit(m.restLength, "m")},
+         {tr("Strain"), percent(m.strain)},
+         {tr("Force"), withUnit(m.force, "N") + (m.force > 0   ? tr(" pulling")
+                                                 : m.force < 0 ? tr(" pushing")
+                                                               : QString())},
+         {tr("Stiffness"), withUnit(stiffness(cloth, spring.type()), "N/m")}});
     fillTable({}, 0);
 }
 
@@ -162,7 +164,8 @@ void InspectorPanel::fillTable(const std::vector<int>& springs, int point) {
     m_tableSprings = springs;
     if (m_table->columnCount() == 0) {
         m_table->setColumnCount(5);
-        m_table->setHorizontalHeaderLabels({tr("Type"), tr("Other end"), tr("Length m"), tr("Strain"), tr("Force N")});
+        m_table->setHorizontalHeaderLabels(
+            {tr("Type"), tr("Other end"), tr("Length m"), tr("Strain"), tr("Force N")});
         m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
         m_table->horizontalHeader()->setHighlightSections(false);
     }
@@ -172,8 +175,8 @@ void InspectorPanel::fillTable(const std::vector<int>& springs, int point) {
         const SpringMeasure m =
             measureSpring(m_document.scene().cloth, m_simulation.sheet(), position, spring);
         const int other = spring.a == point ? spring.b : spring.a;
-        const std::array<QString, 5> texts{typeName(spring.type()), pointName(grid, other), significant(m.length),
-                                           percent(m.strain), significant(m.force)};
+        const std::array<QString, 5> texts{typeName(spring.type()), pointName(grid, other),
+                                           significant(m.length), percent(m.strain), significant(m.force)};
         for (int column = 0; column < int(texts.size()); ++column) {
             if (!m_table->item(row, column))
                 m_table->setItem(row, column, new QTableWidgetItem);

@@ -75,8 +75,9 @@ void Scrubber::paintTicks(QPainter& painter) const {
     for (int frame = 0; frame <= m_span; frame += step) {
         const double x = positionOf(frame);
         painter.drawLine(QPointF(x, track().top() - 4), QPointF(x, track().top() - 1));
-        const QString text =
-            QStringLiteral("%1 · %2 s").arg(frame).arg(QString::number(double(frame) / m_framesPerSecond, 'g', 3));
+        const QString text = QStringLiteral("%1 · %2 s")
+                                 .arg(frame)
+                                 .arg(QString::number(double(frame) / m_framesPerSecond, 'g', 3));
         const double textWidth = painter.fontMetrics().horizontalAdvance(text);
         const double left = std::clamp(x - textWidth / 2, 0.0, std::max(0.0, width() - textWidth));
         painter.drawText(QPointF(left, track().top() - 6), text);
@@ -95,7 +96,8 @@ void Scrubber::paintEvent(QPaintEvent* /*event*/) {
     painter.drawRoundedRect(track(), 3, 3);
     painter.setPen(Qt::NoPen);
     const auto part = [&](double from, double to) {
-        return QRectF(QPointF(positionOf(from), track().top() + 1), QPointF(positionOf(to), track().bottom() - 1));
+        return QRectF(QPointF(positionOf(from), track().top() + 1),
+                      QPointF(positionOf(to), track().bottom() - 1));
     };
     painter.setBrush(colors.accent);
     painter.drawRect(part(0, std::max(0, std::min(m_firstStale, m_frameCount) - 1)));

@@ -41,22 +41,23 @@ QString parameterToolTip(const Parameter& parameter) {
                             translated(parameter.help).toHtmlEscaped());
     if (parameter.kind != Parameter::Kind::Boolean)
         text += "<br>" + QCoreApplication::translate("Parameter", "From %1 to %2 %3, default %4")
-                             .arg(inPanel(parameter.minimum), inPanel(parameter.maximum), toQString(parameter.unit),
-                                  inPanel(parameter.defaultValue()));
+                             .arg(inPanel(parameter.minimum), inPanel(parameter.maximum),
+                                  toQString(parameter.unit), inPanel(parameter.defaultValue()));
     return text;
 }
 
-SimulationPanel::SimulationPanel(Document& document, QWidget* parent) : QWidget(parent), m_document(document) {
+SimulationPanel::SimulationPanel(Document& document, QWidget* parent)
+    : QWidget(parent), m_document(document) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 4, 8, 8);
     layout->setSpacing(2);
     addGroup(tr("Material"), {"cloth.density", "cloth.ks", "cloth.damping", "cloth.thickness"});
-    addGroup(tr("Springs that pull"), {"cloth.enable_structural", "cloth.enable_shearing", "cloth.enable_bending"});
+    addGroup(tr("Springs that pull"),
+             {"cloth.enable_structural", "cloth.enable_shearing", "cloth.enable_bending"});
     addGroup(tr("Forces"), {"simulation.gravity[0]", "simulation.gravity[1]", "simulation.gravity[2]"});
     addGroup(tr("Time"), {"simulation.frames_per_second", "simulation.steps_per_frame"});
-    addGroup(tr("Sheet (starts anew)"),
-             {"cloth.width", "cloth.height", "cloth.num_width_points", "cloth.num_height_points", "cloth.orientation",
-              "simulation.seed"});
+    addGroup(tr("Sheet (starts anew)"), {"cloth.width", "cloth.height", "cloth.num_width_points",
+                                         "cloth.num_height_points", "cloth.orientation", "simulation.seed"});
     layout->addStretch();
     alignLabels();
     connect(&document, &Document::sceneChanged, this, &SimulationPanel::showScene);

@@ -12,7 +12,8 @@ void setSpringsDrawn(Document& document, SpringType type, bool drawn) {
     Scene after = document.scene();
     after.appearance.springsDrawn[std::size_t(type)] = drawn;
     const QString name = typeName(type).toLower();
-    document.edit(drawn ? SpringsPanel::tr("show %1 springs").arg(name) : SpringsPanel::tr("hide %1 springs").arg(name),
+    document.edit(drawn ? SpringsPanel::tr("show %1 springs").arg(name)
+                        : SpringsPanel::tr("hide %1 springs").arg(name),
                   std::move(after));
 }
 
@@ -77,9 +78,10 @@ void SpringsPanel::showScene() {
         QCheckBox* box = m_types[std::size_t(type)];
         box->setChecked(appearance.springsDrawn[std::size_t(type)]);
         box->setEnabled(visible);
-        box->setToolTip(visible ? tr("Draw %1 springs. What they do to the cloth stays the same.")
-                                      .arg(typeName(type).toLower())
-                                : tr("Springs are drawn by the shader Wireframe, or with \"Over shaded surfaces too\"."));
+        box->setToolTip(
+            visible ? tr("Draw %1 springs. What they do to the cloth stays the same.")
+                          .arg(typeName(type).toLower())
+                    : tr("Springs are drawn by the shader Wireframe, or with \"Over shaded surfaces too\"."));
         m_counts[std::size_t(type)]->setText(groupedNumber(m_document.grid().springCount(type)));
     }
     m_overSurface->setChecked(appearance.springsOverSurface);

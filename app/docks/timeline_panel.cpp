@@ -46,7 +46,8 @@ TimelinePanel::TimelinePanel(Document& document, Simulation& simulation, const Q
     layout->addWidget(m_scrubber);
 
     connect(m_scrubber, &Scrubber::frameRequested, &simulation, &Simulation::showFrame);
-    connect(m_frame, &NumberField::valueEdited, this, [this](double value) { m_simulation.showFrame(int(value)); });
+    connect(m_frame, &NumberField::valueEdited, this,
+            [this](double value) { m_simulation.showFrame(int(value)); });
     connect(m_frame, &NumberField::rejected, this, &TimelinePanel::rejected);
     connect(&simulation, &Simulation::recordingChanged, this, &TimelinePanel::showRecording);
     connect(&simulation, &Simulation::frameShown, this, &TimelinePanel::showFrame);
