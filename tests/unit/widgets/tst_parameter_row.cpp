@@ -104,8 +104,9 @@ private slots:
     }
 
     void sliderDragIsOneGesture() {
-        const QPoint start = handle();
+        const QPoint start = handle() + QPoint(3, 0); // beside its middle
         QTest::mousePress(slider(), Qt::LeftButton, {}, start);
+        QTest::mouseMove(slider(), start);
         QCOMPARE(m_edited->count(), 0); // taking the handle changes nothing
         QTest::mouseMove(slider(), start + QPoint(20, 0));
         m_row->setValue(m_row->value());
