@@ -15,9 +15,9 @@ namespace clothlab::render {
 
 // The sheet: point masses in row-major order (index = y * width + x).
 struct SheetShape {
-    int width = 0;                // points a row
-    int height = 0;               // rows
-    std::vector<float> positions; // 3 * width * height, metres; empty draws no sheet
+    int width = 0;                     // points a row
+    int height = 0;                    // rows
+    std::vector<float> positions;      // 3 * width * height, metres; empty draws no sheet
     std::vector<std::uint32_t> pinned; // indices of pinned points, drawn as dots
 };
 
@@ -59,7 +59,8 @@ struct RenderFrame {
     // Springs drawn by type (structural, shearing, bending), and their colours. Drawn when the shader is
     // Wireframe, or over the surface when springsOverSurface is set.
     std::array<bool, 3> springsDrawn{true, true, true};
-    std::array<QColor, 3> springColors{QColor(0x3D, 0x9B, 0xE0), QColor(0xF2, 0xB8, 0x3C), QColor(0x2B, 0xC4, 0x96)};
+    std::array<QColor, 3> springColors{QColor(0x3D, 0x9B, 0xE0), QColor(0xF2, 0xB8, 0x3C),
+                                       QColor(0x2B, 0xC4, 0x96)};
     bool springsOverSurface = false;
 
     Highlight highlight;

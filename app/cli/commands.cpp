@@ -1,0 +1,76 @@
+#include "app/cli/commands.h"
+
+#include "app/cli/exit_status.h"
+#include "app/cli/simulate_command.h"
+#include "simcore/scene/scene_io.h"
+
+#include <cstdio>
+
+namespace clothlab::cli {
+namespace {
+
+int checkCommand(const QStringList& arguments) {
+    if (arguments.size() != 1 || arguments[0].startsWith('-')) {
+        std::fputs("clothlab: check takes one scene: clothlab check SCENE\n", stderr);
+        return WrongUsage;
+    }
+    const std::string path = arguments[0].toStdString();
+    const SceneReading reading = loadScene(path);
+    for (const Diagnostic& diagnostic : reading.diagnostics)
+        std::fprintf(diagnostic.severity == Severity::Error ? stderr : stdout, "%s\n",
+                     toText(diagnostic, path).c_str());
+    if (!reading.scene)
+        return InvalidInput;
+    if (!reading.diagnostics.empty())
+        return CheckFoundWarnings;
+    std::printf("%s: no problems\n", path.c_str());
+    return Done;
+}
+
+} // namespace
+
+QString helpText() {
+    return QStringLiteral(
+               R"(ClothLab %1, an editor and inspector for mass-spring cloth
+
+  clothlab [SCENE]                      open the window
+  clothlab [SCENE] --screenshot PNG     open the window, play, save a picture of it, quit
+      --frames N                        frames to play first (default 90)
+      --theme dark|light                theme of the window (also without --screenshot)
+      --size WxH                        size of the window (default 1440x900)
+  clothlab simulate SCENE               simulate without a window
+      --frames N                        frames to simulate (default 90)
+      --fps F                           frames per second instead of the scene's
+      --steps S                         steps per frame instead of the scene's
+      --threads T                       threads; this version computes with one
+      --output FILE                     write the last frame as .obj or .csv; with %04d in its name,
+                                        every frame from 0, the start; may be given several times
+      --report FILE|-                   write measures of the run as JSON
+  clothlab check SCENE                  say what is wrong or doubtful about a scene
+  clothlab --help | --version
+
+Exit status: 0 done; 1 check found warnings; 2 wrong usage; 3 the input is invalid or unreadable;
+4 the simulation blew up; 6 an output could not be written; 130 interrupted
+)")
+        .arg(QStringLiteral(CLOTHLAB_VERSION));
+}
+
+bool isCommand(const QStringList& arguments) {
+    static const QStringList words{"simulate", "check", "--help", "-h", "--version"};
+    return !arguments.isEmpty() && words.contains(arguments[0]);
+}
+
+int runCommand(const QStringList& arguments) {
+    const QString command = arguments.value(0);
+    if (command == "simulate")
+        return simulateCommand(arguments.mid(1));
+    if (command == "check")
+        return checkCommand(arguments.mid(1));
+    if (command == "--version")
+        std::printf("clothlab %s\n", CLOTHLAB_VERSION);
+    else
+        std::fputs(qPrintable(helpText()), stdout);
+    return Done;
+}
+
+} // namespace clothlab::cli

@@ -1,0 +1,94 @@
+#include "app/document/document.h"
+
+#include "app/document/edit_scene_command.h"
+#include "simcore/scene/scene_io.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+#include <utility>
+
+namespace clothlab {
+namespace {
+
+Scene hungUpSheet() {
+    Scene scene;
+    scene.cloth.pinned = {{0, 0}, {scene.cloth.numWidthPoints - 1, 0}};
+    return scene;
+}
+
+} // namespace
+
+Document::Document(QObject* parent) : QObject(parent), m_scene(std::make_shared<const Scene>(hungUpSheet())) {
+    connect(&m_undoStack, &QUndoStack::cleanChanged, this, &Document::fileChanged);
+}
+
+QString Document::displayName() const {
+    return m_path.isEmpty() ? tr("Untitled") : QFileInfo(m_path).fileName();
+}
+
+void Document::newScene() {
+    replaceScene(hungUpSheet(), {});
+}
+
+Diagnostics Document::open(const QString& path) {
+    SceneReading reading = loadScene(path.toStdString());
+    if (reading.scene)
+        replaceScene(std::move(*reading.scene), QFileInfo(path).absoluteFilePath());
+    return reading.diagnostics;
+}
+
+void Document::replaceScene(Scene scene, const QString& path) {
+    m_scene = std::make_shared<const Scene>(std::move(scene));
+    m_path = path;
+    m_undoStack.clear();
+    m_undoStack.setClean();
+    emit sceneReplaced();
+    emit fileChanged();
+    setSelection({});
+}
+
+std::optional<QString> Document::save(const QString& path) {
+    if (const auto error = saveScene(*m_scene, path.toStdString()))
+        return QString::fromStdString(*error);
+    m_path = QFileInfo(path).absoluteFilePath();
+    m_undoStack.setClean();
+    emit fileChanged();
+    return std::nullopt;
+}
+
+void Document::edit(const QString& text, Scene after, int gesture) {
+    if (after != *m_scene)
+        m_undoStack.push(new EditSceneCommand(*this, text, std::move(after), gesture));
+}
+
+std::optional<QString> Document::setParameter(const Parameter& parameter, double value, int gesture) {
+    Scene after = *m_scene;
+    parameter.set(after, value);
+    for (const Diagnostic& diagnostic : validate(after))
+        if (diagnostic.severity == Severity::Error)
+            return QString::fromStdString(toText(diagnostic, displayName().toStdString()));
+    const QString label =
+        QString::fromUtf8(parameter.label.data(), static_cast<qsizetype>(parameter.label.size()));
+    edit(tr("change %1").arg(QCoreApplication::translate("Parameter", label.toUtf8())), std::move(after),
+         gesture);
+    return std::nullopt;
+}
+
+void Document::exchangeScene(std::shared_ptr<const Scene>& other) {
+    std::swap(m_scene, other);
+    const SceneChange change = compareScenes(*other, *m_scene);
+    if (change == SceneChange::Start)
+        setSelection(m_selection);
+    emit sceneChanged(change);
+}
+
+void Document::setSelection(Selection selection) {
+    selection.prune(grid());
+    if (selection == m_selection)
+        return;
+    m_selection = std::move(selection);
+    emit selectionChanged();
+}
+
+} // namespace clothlab

@@ -1,0 +1,72 @@
+// The open scene: its values, file, undo stack and selection. Every change of the scene goes through edit().
+#pragma once
+
+#include "app/document/selection.h"
+#include "simcore/base/diagnostic.h"
+#include "simcore/scene/parameters.h"
+#include "simcore/scene/scene.h"
+
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+
+#include <memory>
+#include <optional>
+
+namespace clothlab {
+
+class Document : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Document(QObject* parent = nullptr);
+
+    const Scene& scene() const { return *m_scene; }
+    std::shared_ptr<const Scene> snapshot() const {
+        return m_scene;
+    } // never changes; safe to share with a thread
+    Grid grid() const { return {m_scene->cloth.numWidthPoints, m_scene->cloth.numHeightPoints}; }
+
+    QString path() const { return m_path; } // empty until saved
+    QString displayName() const;            // the file's name, or "Untitled"
+    bool isModified() const { return !m_undoStack.isClean(); }
+    QUndoStack& undoStack() { return m_undoStack; }
+
+    // A new sheet, hung up at two corners. Clears the undo stack, as open() does.
+    void newScene();
+
+    // Replaces the scene if the file holds a valid one; otherwise leaves everything as it was.
+    // Returns errors and warnings.
+    Diagnostics open(const QString& path);
+
+    // Returns what went wrong, in words; nothing if the file was written.
+    std::optional<QString> save(const QString& path);
+
+    // Puts `after` in the place of the scene as one undo step. Edits with the same text and the same
+    // gesture, not 0, merge into one step. Precondition: validate(after) has no errors.
+    void edit(const QString& text, Scene after, int gesture = 0);
+
+    // edit() of one parameter. Does nothing but return why, in words, if the scene would not be valid.
+    std::optional<QString> setParameter(const Parameter& parameter, double value, int gesture = 0);
+
+    const Selection& selection() const { return m_selection; }
+    void setSelection(Selection selection); // pruned to what the sheet has
+
+signals:
+    void sceneChanged(clothlab::SceneChange change); // by an edit, undo or redo; the strongest that applies
+    void sceneReplaced();                            // by New or Open
+    void fileChanged();                              // path(), displayName() or isModified()
+    void selectionChanged();
+
+private:
+    friend class EditSceneCommand;
+    void exchangeScene(std::shared_ptr<const Scene>& other);
+    void replaceScene(Scene scene, const QString& path);
+
+    std::shared_ptr<const Scene> m_scene;
+    QString m_path;
+    QUndoStack m_undoStack;
+    Selection m_selection;
+};
+
+} // namespace clothlab

@@ -1,0 +1,30 @@
+#include "app/document/selection.h"
+
+#include <algorithm>
+
+namespace clothlab {
+
+bool Selection::contains(Item item) const {
+    return std::ranges::find(items, item) != items.end();
+}
+
+std::optional<Selection::Item> Selection::active() const {
+    return items.empty() ? std::nullopt : std::optional(items.back());
+}
+
+void Selection::add(Item item) {
+    remove(item);
+    items.push_back(item);
+}
+
+void Selection::remove(Item item) {
+    std::erase(items, item);
+}
+
+void Selection::prune(const Grid& grid) {
+    std::erase_if(items, [&](const Item& item) {
+        return item.number >= (item.kind == Kind::Point ? grid.pointCount() : grid.springCount());
+    });
+}
+
+} // namespace clothlab

@@ -1,0 +1,66 @@
+#include "app/viewport/gl_canvas.h"
+
+#include <QGuiApplication>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+
+#include <utility>
+
+namespace clothlab {
+
+GlCanvas::GlCanvas(std::function<const render::RenderFrame&()> frame, QWidget* parent)
+    : QOpenGLWidget(parent), m_frame(std::move(frame)) {
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setFocusPolicy(Qt::NoFocus);
+}
+
+GlCanvas::~GlCanvas() {
+    releaseGl();
+}
+
+void GlCanvas::setShaderDirectory(const QString& directory) {
+    m_renderer.setShaderDirectory(directory);
+    update();
+}
+
+QString GlCanvas::whyUnavailable() {
+    // These platforms have no OpenGL widgets, even where they can make a context.
+    static const QStringList without{"offscreen", "minimal", "linuxfb", "vnc"};
+    if (without.contains(QGuiApplication::platformName()))
+        return tr("the Qt platform \"%1\" shows no OpenGL widgets").arg(QGuiApplication::platformName());
+    QOpenGLContext context;
+    if (!context.create())
+        return tr("no OpenGL context could be made; a driver or Mesa's software renderer is missing");
+    if (context.format().version() < std::pair(3, 3))
+        return tr("OpenGL 3.3 is needed, this machine offers %1.%2")
+            .arg(context.format().majorVersion())
+            .arg(context.format().minorVersion());
+    return {};
+}
+
+void GlCanvas::initializeGL() {
+    // The context goes when the window is floated or reparented; initializeGL() is called again with the new one.
+    disconnect(m_contextConnection);
+    m_contextConnection = connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &GlCanvas::releaseGl);
+    QString error;
+    if (!m_renderer.initialize(&error))
+        emit failed(error);
+}
+
+void GlCanvas::releaseGl() {
+    if (!m_renderer.isInitialized())
+        return;
+    makeCurrent();
+    m_renderer.release();
+    doneCurrent();
+}
+
+void GlCanvas::paintGL() {
+    m_renderer.render(m_frame(), size() * devicePixelRatio());
+    if (m_renderer.messages() == m_messages)
+        return;
+    m_messages = m_renderer.messages();
+    emit messagesChanged(m_messages);
+}
+
+} // namespace clothlab

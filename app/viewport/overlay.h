@@ -1,0 +1,47 @@
+#pragma once
+
+#include <QColor>
+#include <QRect>
+#include <QString>
+#include <QWidget>
+
+#include <vector>
+
+namespace clothlab {
+
+// Words over the picture: badges top centre, a hint bottom centre, the box of a selection, and what stands in
+// the place of the picture if there is none. Lets every mouse event through.
+class Overlay : public QWidget {
+    Q_OBJECT
+
+public:
+    struct Badge {
+        QString text;
+        QColor color;
+        friend bool operator==(const Badge&, const Badge&) = default;
+    };
+
+    explicit Overlay(QWidget* parent);
+
+    void setBadges(std::vector<Badge> badges);
+    void setHint(const QString& hint);
+    void setSelectionBox(const QRect& box); // null: none
+    void setPlaceholder(const QString& title, const QString& reason);
+
+    const std::vector<Badge>& badges() const { return m_badges; }
+    QString placeholder() const { return m_placeholderTitle; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    void paintBadges(QPainter& painter) const;
+    void paintPlaceholder(QPainter& painter) const;
+
+    std::vector<Badge> m_badges;
+    QString m_hint;
+    QRect m_box;
+    QString m_placeholderTitle, m_placeholderReason;
+};
+
+} // namespace clothlab

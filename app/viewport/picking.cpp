@@ -1,0 +1,131 @@
+#include "app/viewport/picking.h"
+
+#include <QRectF>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace clothlab {
+namespace {
+
+QVector3D toQt(const Vec3& v) {
+    return {float(v.x()), float(v.y()), float(v.z())};
+}
+
+// Distance along the ray to the triangle (Möller and Trumbore 1997), or infinity.
+float hitDistance(const Ray& ray, const QVector3D& a, const QVector3D& b, const QVector3D& c) {
+    constexpr float miss = std::numeric_limits<float>::infinity();
+    const QVector3D ab = b - a;
+    const QVector3D ac = c - a;
+    const QVector3D p = QVector3D::crossProduct(ray.direction, ac);
+    const float determinant = QVector3D::dotProduct(ab, p);
+    if (determinant == 0)
+        return miss;
+    const QVector3D fromA = ray.origin - a;
+    const float u = QVector3D::dotProduct(fromA, p) / determinant;
+    const QVector3D q = QVector3D::crossProduct(fromA, ab);
+    const float v = QVector3D::dotProduct(ray.direction, q) / determinant;
+    const float t = QVector3D::dotProduct(ac, q) / determinant;
+    return u >= 0 && v >= 0 && u + v <= 1 && t > 0 ? t : miss;
+}
+
+// Depth, along the view direction, of the sheet's surface under a place on the screen; infinity if none is.
+float surfaceDepth(const Camera& camera, const Grid& grid, const PointArray& position, QPointF at, QSizeF size) {
+    const Ray ray = camera.rayThrough(at, size);
+    float nearest = std::numeric_limits<float>::infinity();
+    const auto corner = [&](int x, int y) { return toQt(position.at(grid.index(x, y))); };
+    for (int y = 0; y + 1 < grid.height; ++y)
+        for (int x = 0; x + 1 < grid.width; ++x) {
+            const QVector3D b = corner(x + 1, y), c = corner(x, y + 1);
+            nearest = std::min({nearest, hitDistance(ray, corner(x, y), b, c),
+                                hitDistance(ray, b, c, corner(x + 1, y + 1))});
+        }
+    if (!std::isfinite(nearest))
+        return nearest;
+    return camera.project(ray.origin + nearest * ray.direction, size).depth;
+}
+
+struct Nearest {
+    std::optional<int> number;
+    double distance = 0; // pixels
+    float depth = 0;
+
+    void offer(int candidate, double pixels, float candidateDepth) {
+        // Pictures closer together than this are as near to a hand with a mouse.
+        constexpr double same = 1.5;
+        const bool better =
+            !number || pixels < distance - same || (pixels < distance + same && candidateDepth < depth * 0.998F);
+        if (better) {
+            number = candidate;
+            distance = pixels;
+            depth = candidateDepth;
+        }
+    }
+};
+
+// Place on the segment nearest to a point, 0 … 1 from its start.
+double nearestOnSegment(QPointF p, QPointF a, QPointF b) {
+    const QPointF ab = b - a;
+    const double lengthSquared = QPointF::dotProduct(ab, ab);
+    return lengthSquared > 0 ? std::clamp(QPointF::dotProduct(p - a, ab) / lengthSquared, 0.0, 1.0) : 0;
+}
+
+double length(QPointF p) {
+    return std::hypot(p.x(), p.y());
+}
+
+} // namespace
+
+std::optional<Selection::Item> pick(const Camera& camera, const Grid& grid, const PointArray& position,
+                                    const PickQuery& query) {
+    std::vector<Camera::Projected> projected(position.size());
+    for (int i = 0; i < int(position.size()); ++i)
+        projected[std::size_t(i)] = camera.project(toQt(position.at(i)), query.size);
+
+    float behind = std::numeric_limits<float>::infinity();
+    if (query.surfaceHides) {
+        behind = surfaceDepth(camera, grid, position, query.position, query.size);
+        // A point beside the ray may lie a little deeper than where the ray meets the surface.
+        behind += 4 * float(query.pointRadius) * camera.metresPerPixel(behind, query.size);
+    }
+
+    Nearest point;
+    for (int i = 0; i < int(projected.size()); ++i) {
+        const Camera::Projected& p = projected[std::size_t(i)];
+        const double pixels = length(p.position - query.position);
+        if (p.visible && pixels <= query.pointRadius && !(p.depth > behind))
+            point.offer(i, pixels, p.depth);
+    }
+    if (point.number)
+        return Selection::Item{Selection::Kind::Point, *point.number};
+
+    Nearest spring;
+    for (int number = 0, count = grid.springCount(); number < count; ++number) {
+        const Spring s = grid.spring(number);
+        const Camera::Projected& a = projected[std::size_t(s.a)];
+        const Camera::Projected& b = projected[std::size_t(s.b)];
+        if (!query.springs[std::size_t(s.type())] || !a.visible || !b.visible)
+            continue;
+        const double along = nearestOnSegment(query.position, a.position, b.position);
+        const double pixels = length(a.position + along * (b.position - a.position) - query.position);
+        const float depth = a.depth + float(along) * (b.depth - a.depth);
+        if (pixels <= query.springRadius && !(depth > behind))
+            spring.offer(number, pixels, depth);
+    }
+    if (spring.number)
+        return Selection::Item{Selection::Kind::Spring, *spring.number};
+    return std::nullopt;
+}
+
+std::vector<int> pointsIn(const QRectF& rectangle, const Camera& camera, const PointArray& position, QSizeF size) {
+    std::vector<int> inside;
+    for (int i = 0; i < int(position.size()); ++i) {
+        const Camera::Projected p = camera.project(toQt(position.at(i)), size);
+        if (p.visible && rectangle.contains(p.position))
+            inside.push_back(i);
+    }
+    return inside;
+}
+
+} // namespace clothlab
