@@ -39,13 +39,13 @@ Diagnostics Document::open(const QString& path) {
 }
 
 void Document::replaceScene(Scene scene, const QString& path) {
+    setSelection({});
     m_scene = std::make_shared<const Scene>(std::move(scene));
     m_path = path;
     m_undoStack.clear();
     m_undoStack.setClean();
     emit sceneReplaced();
     emit fileChanged();
-    setSelection({});
 }
 
 std::optional<QString> Document::save(const QString& path) {
@@ -76,11 +76,11 @@ std::optional<QString> Document::setParameter(const Parameter& parameter, double
 }
 
 void Document::exchangeScene(std::shared_ptr<const Scene>& other) {
+    // While what is selected is still there. In another grid the numbers would mean other springs.
+    if (gridOf(other->cloth) != gridOf(m_scene->cloth))
+        setSelection({});
     std::swap(m_scene, other);
-    const SceneChange change = compareScenes(*other, *m_scene);
-    if (change == SceneChange::Start)
-        setSelection(m_selection);
-    emit sceneChanged(change);
+    emit sceneChanged(compareScenes(*other, *m_scene));
 }
 
 void Document::setSelection(Selection selection) {

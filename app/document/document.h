@@ -25,7 +25,7 @@ public:
     std::shared_ptr<const Scene> snapshot() const {
         return m_scene;
     } // never changes; safe to share with a thread
-    Grid grid() const { return {m_scene->cloth.numWidthPoints, m_scene->cloth.numHeightPoints}; }
+    Grid grid() const { return gridOf(m_scene->cloth); }
 
     QString path() const { return m_path; } // empty until saved
     QString displayName() const;            // the file's name, or "Untitled"

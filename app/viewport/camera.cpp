@@ -54,7 +54,8 @@ QMatrix4x4 Camera::projectionMatrix(QSizeF size) const {
     QMatrix4x4 matrix;
     if (orthographic) {
         const float halfHeight = distance * std::tan(qDegreesToRadians(kFieldOfView / 2));
-        matrix.ortho(-halfHeight * ratio, halfHeight * ratio, -halfHeight, halfHeight, -20 * distance, 20 * distance);
+        matrix.ortho(-halfHeight * ratio, halfHeight * ratio, -halfHeight, halfHeight, -20 * distance,
+                     20 * distance);
     } else {
         matrix.perspective(kFieldOfView, ratio, distance * 0.02F, distance * 100 + 20);
     }
@@ -116,13 +117,15 @@ void Camera::look(ViewDirection direction) {
 
 void Camera::frame(const QVector3D& centre, double radius) {
     view.target = fromQt(centre);
-    const double fitting = 1.1 * std::max(radius, 0.01) / std::sin(qDegreesToRadians(double(kFieldOfView) / 2));
+    const double fitting =
+        1.1 * std::max(radius, 0.01) / std::sin(qDegreesToRadians(double(kFieldOfView) / 2));
     view.distance = std::clamp(fitting, kNearest, kFarthest);
 }
 
 CameraView homeView(const Cloth& cloth) {
-    const Vec3 centre = cloth.orientation == Orientation::Horizontal ? Vec3(cloth.width / 2, 1, cloth.height / 2)
-                                                                     : Vec3(cloth.width / 2, cloth.height / 2, 0);
+    const Vec3 centre = cloth.orientation == Orientation::Horizontal
+                            ? Vec3(cloth.width / 2, 1, cloth.height / 2)
+                            : Vec3(cloth.width / 2, cloth.height / 2, 0);
     CameraView view;
     view.target = {centre.x(), centre.y() / 2, centre.z()};
     view.distance = std::clamp(1.8 * std::max(cloth.width, cloth.height), 0.1, kFarthest);

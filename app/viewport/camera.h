@@ -45,7 +45,8 @@ public:
 
     void orbit(QPointF pixels);
     void pan(QPointF pixels, QSizeF size);
-    void zoom(double factor, QPointF towards, QSizeF size); // factor < 1 comes nearer; what is under towards stays
+    void zoom(double factor, QPointF towards,
+              QSizeF size); // factor < 1 comes nearer; what is under towards stays
     void look(ViewDirection direction);
     void frame(const QVector3D& centre, double radius); // keeps the direction
 };

@@ -39,7 +39,8 @@ QString GlCanvas::whyUnavailable() {
 }
 
 void GlCanvas::initializeGL() {
-    // The context goes when the window is floated or reparented; initializeGL() is called again with the new one.
+    // The context goes when the window is floated or reparented; initializeGL() is called again with the new
+    // one.
     disconnect(m_contextConnection);
     m_contextConnection = connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &GlCanvas::releaseGl);
     QString error;

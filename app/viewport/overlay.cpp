@@ -44,7 +44,8 @@ void Overlay::paintBadges(QPainter& painter) const {
     int top = padding;
     for (const Badge& badge : m_badges) {
         const int widest = width() - 4 * padding;
-        QRect text = metrics.boundingRect(QRect(0, 0, widest, height()), Qt::AlignCenter | Qt::TextWordWrap, badge.text);
+        QRect text = metrics.boundingRect(QRect(0, 0, widest, height()), Qt::AlignCenter | Qt::TextWordWrap,
+                                          badge.text);
         text.moveCenter({width() / 2, 0});
         text.moveTop(top + padding / 2);
         const QRect box = text.adjusted(-padding, -padding / 2, padding, padding / 2);

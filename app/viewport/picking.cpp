@@ -31,7 +31,8 @@ float hitDistance(const Ray& ray, const QVector3D& a, const QVector3D& b, const 
 }
 
 // Depth, along the view direction, of the sheet's surface under a place on the screen; infinity if none is.
-float surfaceDepth(const Camera& camera, const Grid& grid, const PointArray& position, QPointF at, QSizeF size) {
+float surfaceDepth(const Camera& camera, const Grid& grid, const PointArray& position, QPointF at,
+                   QSizeF size) {
     const Ray ray = camera.rayThrough(at, size);
     float nearest = std::numeric_limits<float>::infinity();
     const auto corner = [&](int x, int y) { return toQt(position.at(grid.index(x, y))); };
@@ -54,8 +55,8 @@ struct Nearest {
     void offer(int candidate, double pixels, float candidateDepth) {
         // Pictures closer together than this are as near to a hand with a mouse.
         constexpr double same = 1.5;
-        const bool better =
-            !number || pixels < distance - same || (pixels < distance + same && candidateDepth < depth * 0.998F);
+        const bool better = !number || pixels < distance - same ||
+                            (pixels < distance + same && candidateDepth < depth * 0.998F);
         if (better) {
             number = candidate;
             distance = pixels;
@@ -118,7 +119,8 @@ std::optional<Selection::Item> pick(const Camera& camera, const Grid& grid, cons
     return std::nullopt;
 }
 
-std::vector<int> pointsIn(const QRectF& rectangle, const Camera& camera, const PointArray& position, QSizeF size) {
+std::vector<int> pointsIn(const QRectF& rectangle, const Camera& camera, const PointArray& position,
+                          QSizeF size) {
     std::vector<int> inside;
     for (int i = 0; i < int(position.size()); ++i) {
         const Camera::Projected p = camera.project(toQt(position.at(i)), size);

@@ -13,8 +13,8 @@ namespace clothlab {
 struct PickQuery {
     QPointF position; // logical pixels, like the size
     QSizeF size;
-    double pointRadius = 8;  // logical pixels
-    double springRadius = 5; // logical pixels
+    double pointRadius = 8;                                   // logical pixels
+    double springRadius = 5;                                  // logical pixels
     std::array<bool, kSpringTypes> springs{true, true, true}; // which types can be picked
     bool surfaceHides = true; // what lies behind the sheet's surface cannot be picked
 };
@@ -25,6 +25,7 @@ std::optional<Selection::Item> pick(const Camera& camera, const Grid& grid, cons
                                     const PickQuery& query);
 
 // Numbers of the points whose pictures lie in the rectangle, ascending.
-std::vector<int> pointsIn(const QRectF& rectangle, const Camera& camera, const PointArray& position, QSizeF size);
+std::vector<int> pointsIn(const QRectF& rectangle, const Camera& camera, const PointArray& position,
+                          QSizeF size);
 
 } // namespace clothlab

@@ -22,8 +22,7 @@ Viewport::Viewport(Document& document, Simulation& simulation, QWidget* parent)
     if (const QString reason = GlCanvas::whyUnavailable(); !reason.isEmpty()) {
         showPlaceholder(reason);
     } else {
-        m_canvas = new GlCanvas(
-            [this]() -> const render::RenderFrame& { return renderFrame(); }, this);
+        m_canvas = new GlCanvas([this]() -> const render::RenderFrame& { return renderFrame(); }, this);
         connect(m_canvas, &GlCanvas::messagesChanged, this, &Viewport::shaderMessages);
         connect(m_canvas, &GlCanvas::failed, this, &Viewport::showPlaceholder);
     }
@@ -78,8 +77,9 @@ void Viewport::updateBadges() {
 }
 
 void Viewport::updateHint() {
-    m_overlay->setHint(m_boxArmed ? tr("Drag a box around points · Shift adds · Ctrl removes · Esc cancels")
-                                  : tr("Left drag orbits · right drag pans · wheel zooms · click selects · B box"));
+    m_overlay->setHint(m_boxArmed
+                           ? tr("Drag a box around points · Shift adds · Ctrl removes · Esc cancels")
+                           : tr("Left drag orbits · right drag pans · wheel zooms · click selects · B box"));
 }
 
 // --- camera

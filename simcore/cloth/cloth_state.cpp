@@ -25,7 +25,7 @@ private:
 
 ClothState startState(const Scene& scene) {
     const Cloth& cloth = scene.cloth;
-    const Grid grid{cloth.numWidthPoints, cloth.numHeightPoints};
+    const Grid grid = gridOf(cloth);
     const double dx = cloth.width / (grid.width - 1);
     const double dy = cloth.height / (grid.height - 1);
     UniformGenerator uniform(scene.simulation.seed);
@@ -63,7 +63,7 @@ double stiffness(const Cloth& cloth, SpringType type) {
 }
 
 std::vector<std::uint8_t> pinnedMask(const Cloth& cloth) {
-    const Grid grid{cloth.numWidthPoints, cloth.numHeightPoints};
+    const Grid grid = gridOf(cloth);
     std::vector<std::uint8_t> mask(std::size_t(grid.pointCount()), 0);
     for (const GridPoint& p : cloth.pinned)
         mask[std::size_t(grid.index(p))] = 1;

@@ -61,6 +61,10 @@ struct Grid {
     std::vector<int> springsOf(int point) const; // numbers of all springs that end there, ascending
 };
 
+inline Grid gridOf(const Cloth& cloth) {
+    return {cloth.numWidthPoints, cloth.numHeightPoints};
+}
+
 std::string_view name(SpringType type); // "structural"
 
 } // namespace clothlab

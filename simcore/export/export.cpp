@@ -40,7 +40,7 @@ Vec3 pointNormal(const Grid& grid, const PointArray& position, GridPoint p) {
 
 void writeObj(std::ostream& out, const Frame& frame) {
     const Cloth& cloth = frame.scene->cloth;
-    const Grid grid{cloth.numWidthPoints, cloth.numHeightPoints};
+    const Grid grid = gridOf(cloth);
     const PointArray& position = frame.state.position;
     out << "# ClothLab, metres, y up, time " << Number{frame.time} << " s\no cloth\n";
     for (int i = 0; i < grid.pointCount(); ++i) {
@@ -71,7 +71,7 @@ void writeObj(std::ostream& out, const Frame& frame) {
 
 void writeCsv(std::ostream& out, const Frame& frame) {
     const Scene& scene = *frame.scene;
-    const Grid grid{scene.cloth.numWidthPoints, scene.cloth.numHeightPoints};
+    const Grid grid = gridOf(scene.cloth);
     const std::vector<std::uint8_t> pinned = pinnedMask(scene.cloth);
     out << "index,x,y,position_x,position_y,position_z,last_position_x,last_position_y,last_position_z,"
            "velocity_x,velocity_y,velocity_z,pinned\n";

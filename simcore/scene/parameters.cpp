@@ -15,7 +15,7 @@ using Kind = Parameter::Kind;
 constexpr std::array kParameters = {
     Parameter{"cloth.density", "Density", "g/cm²",
               "Mass of the sheet per area; a heavier sheet sags more and stretches its springs further.",
-              Kind::Real, 1e-6, 1e6, 1, 1500, true, 0.1, CLOTHLAB_FIELD(double, cloth.density)},
+              Kind::Real, 1e-6, 1e6, 1, 1500, true, 10, CLOTHLAB_FIELD(double, cloth.density)},
     Parameter{
         "cloth.ks", "Stiffness ks", "N/m",
         "Spring constant; low values sag and wrinkle, high values hold the shape and need smaller steps.",

@@ -81,6 +81,7 @@ struct Appearance {
     std::array<bool, kSpringTypes> springsDrawn{true, true, true};
     bool springsOverSurface = false; // draw springs with every shader, not only with Wireframe
     std::string unknownKeys;
+    std::string unknownSpringKeys; // of the object springs_drawn
     friend bool operator==(const Appearance&, const Appearance&) = default;
 };
 

@@ -23,10 +23,12 @@ SceneReading readScene(std::string_view json);
 SceneReading loadScene(const std::string& path);
 
 // Only what the course's format has, where that says it all; further keys only for values that are not at
-// their default. Numbers are written so that they read back as the same bits.
+// their default. Numbers are written so that they read back as the same bits. Precondition: validate() finds
+// no errors.
 std::string writeScene(const Scene& scene);
 
-// Returns what went wrong, in words. The file is written whole or not at all.
+// Returns what went wrong, in words. The file is written whole or not at all; not if the scene has errors or
+// could not be read back.
 std::optional<std::string> saveScene(const Scene& scene, const std::string& path);
 
 // Errors: values that no solver could run. Warnings: values that are likely a mistake.

@@ -13,7 +13,7 @@ std::string_view name(Phase phase) {
 }
 
 VerletSolver::VerletSolver(const Scene& scene) {
-    const Grid grid{scene.cloth.numWidthPoints, scene.cloth.numHeightPoints};
+    const Grid grid = gridOf(scene.cloth);
     const auto n = std::size_t(grid.pointCount());
     m_scene = scene;
     m_sheet = makeSheet(grid, startState(scene).position);

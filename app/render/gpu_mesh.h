@@ -1,0 +1,95 @@
+// Buffers and vertex arrays. They hold GL objects of one context; nothing is freed by destructors, which may
+// run without a context: destroy() frees.
+#pragma once
+
+#include "app/render/gl_functions.h"
+#include "app/render/render_frame.h"
+#include "app/render/sheet_mesh.h"
+#include "app/render/springs.h"
+
+#include <span>
+
+namespace clothlab::render {
+
+// A buffer object whose content is replaced whole.
+class GpuBuffer {
+public:
+    // Leaves the buffer bound to `target`. The old store is given up, so that no draw call is waited for.
+    template <typename T>
+    void upload(Gl& gl, GLenum target, std::span<const T> data, GLenum usage) {
+        create(gl);
+        gl.glBindBuffer(target, m_id);
+        gl.glBufferData(target, static_cast<GLsizeiptr>(data.size_bytes()), data.data(), usage);
+        m_count = static_cast<GLsizei>(data.size());
+    }
+    void bind(Gl& gl, GLenum target);
+    void destroy(Gl& gl);
+    GLsizei count() const { return m_count; } // elements last uploaded
+
+private:
+    void create(Gl& gl);
+
+    GLuint m_id = 0;
+    GLsizei m_count = 0;
+};
+
+// A surface that stays as it is: a collider.
+class StaticMesh {
+public:
+    void upload(Gl& gl, const SurfaceMesh& mesh);
+    void draw(Gl& gl) const;
+    void destroy(Gl& gl);
+
+private:
+    GLuint m_vertexArray = 0;
+    GpuBuffer m_vertices;
+    GpuBuffer m_uvs;
+    GpuBuffer m_indices;
+};
+
+// The sheet: one vertex array, with index buffers for what is drawn of it.
+class SheetBuffers {
+public:
+    void initialize(Gl& gl);
+    void destroy(Gl& gl);
+
+    // Uploads what has changed since the last call, and nothing else.
+    void update(Gl& gl, const SheetShape& sheet);
+
+    void drawSurface(Gl& gl);
+    void drawSprings(Gl& gl, SpringType type);
+    void drawPinned(Gl& gl); // as GL_POINTS
+    bool hasPinned() const { return m_pinned.count() > 0; }
+    bool isEmpty() const { return m_mesh.isEmpty(); }
+
+private:
+    void uploadTopology(Gl& gl);
+    void uploadPinned(Gl& gl, const SheetShape& sheet);
+    void drawElements(Gl& gl, GLenum mode, GpuBuffer& indices);
+
+    SheetMesh m_mesh;
+    GLuint m_vertexArray = 0;
+    GpuBuffer m_vertices;
+    GpuBuffer m_uvs;
+    GpuBuffer m_triangles;
+    std::array<GpuBuffer, kSpringTypes> m_springs;
+    std::array<bool, kSpringTypes> m_springsUploaded{}; // made when first drawn: long lists for large sheets
+    GpuBuffer m_pinned;
+    std::vector<std::uint32_t> m_pinnedIndices; // those in range
+};
+
+// Positions that change from frame to frame, drawn as points or as lines of two.
+class PositionBuffer {
+public:
+    void initialize(Gl& gl);
+    void destroy(Gl& gl);
+    void upload(Gl& gl, std::span<const QVector3D> positions);
+    void draw(Gl& gl, GLenum mode) const;
+    void bind(Gl& gl) const { gl.glBindVertexArray(m_vertexArray); }
+
+private:
+    GLuint m_vertexArray = 0;
+    GpuBuffer m_positions;
+};
+
+} // namespace clothlab::render

@@ -1,0 +1,41 @@
+// Triangles, normals, tangents and texture coordinates of a grid of points.
+#pragma once
+
+#include "app/render/render_frame.h"
+#include "app/render/surface_mesh.h"
+
+namespace clothlab::render {
+
+// Each cell of the grid is two triangles that share the diagonal from (x + 1, y) to (x, y + 1). The normal's
+// side is that of (row direction) x (column direction) = dp/dv x dp/du: up, for a sheet with x to +x and y to
+// +z.
+class SheetMesh {
+public:
+    enum class Change { Nothing, Positions, Size };
+
+    // Takes the sheet's shape over; says what has to be uploaded again. Memory is only taken when the size
+    // changes. A sheet whose number of positions is not 3 * width * height, or that is empty, leaves an empty
+    // mesh. A sheet one point wide or high has vertices but no triangles.
+    //
+    // Normals are averages over the triangles of a point, weighted by the angle there (Thuermer and Wuethrich
+    // 1998), of unit length; (0, 1, 0) where there is no triangle with an area. Tangents are dp/du, made
+    // perpendicular to the normal, of unit length; some perpendicular direction where dp/du vanishes.
+    Change update(const SheetShape& sheet);
+
+    const SurfaceMesh& mesh() const { return m_mesh; }
+    int width() const { return m_width; }
+    int height() const { return m_height; }
+    bool isEmpty() const { return m_mesh.vertices.empty(); }
+
+private:
+    void resize(int width, int height);
+    void computeNormals();
+    void computeTangents();
+
+    int m_width = 0;
+    int m_height = 0;
+    std::vector<float> m_positions; // what the vertices were computed from
+    SurfaceMesh m_mesh;
+};
+
+} // namespace clothlab::render

@@ -1,0 +1,116 @@
+#include "app/window/actions.h"
+
+#include "app/widgets/icons.h"
+
+#include <QActionGroup>
+#include <QWidget>
+
+namespace clothlab {
+
+Actions::Actions(QWidget& window) : QObject(&window), m_window(window) {
+    addFileActions();
+    addSimulationActions();
+    addViewActions();
+    addOtherActions();
+}
+
+QAction* Actions::add(const char* name, const QString& text, const QString& icon,
+                      const QList<QKeySequence>& keys, const QString& tip) {
+    auto* action = new QAction(text, &m_window);
+    action->setObjectName(name);
+    if (!icon.isEmpty())
+        action->setIcon(themedIcon(icon));
+    action->setShortcuts(keys);
+    QStringList names;
+    for (const QKeySequence& key : keys)
+        names << key.toString(QKeySequence::NativeText);
+    action->setToolTip(keys.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, names.join(tr(" or "))));
+    action->setStatusTip(tip);
+    // Works wherever the focus is, floating docks included.
+    action->setShortcutContext(Qt::ApplicationShortcut);
+    m_window.addAction(action);
+    m_all << action;
+    return action;
+}
+
+void Actions::addFileActions() {
+    newScene = add("newScene", tr("&New"), "new", {QKeySequence::New}, tr("New scene"));
+    open = add("open", tr("&Open…"), "open", {QKeySequence::Open}, tr("Open a scene"));
+    save = add("save", tr("&Save"), "save", {QKeySequence::Save}, tr("Save the scene"));
+    saveAs =
+        add("saveAs", tr("Save &As…"), "save-as", {QKeySequence("Ctrl+Shift+S")}, tr("Save the scene as"));
+    screenshot = add("screenshot", tr("Save a &Picture of the Window…"), "screenshot", {QKeySequence("F12")},
+                     tr("Save a picture of the window"));
+    quit = add("quit", tr("&Quit"), {}, {QKeySequence("Ctrl+Q")}, tr("Quit ClothLab"));
+}
+
+void Actions::addSimulationActions() {
+    playPause = add("playPause", tr("Play"), "play", {QKeySequence("Space"), QKeySequence("P")},
+                    tr("Play or pause; after the last frame, simulate on"));
+    stepBack =
+        add("stepBack", tr("One Frame Back"), "step-back", {QKeySequence("Left")}, tr("One frame back"));
+    stepForward = add("stepForward", tr("One Frame Forward"), "step-forward", {QKeySequence("Right")},
+                      tr("One frame forward"));
+    tenBack = add("tenBack", tr("Ten Frames Back"), {}, {QKeySequence("Shift+Left")}, tr("Ten frames back"));
+    tenForward = add("tenForward", tr("Ten Frames Forward"), {}, {QKeySequence("Shift+Right")},
+                     tr("Ten frames forward"));
+    firstFrame =
+        add("firstFrame", tr("First Frame"), "first", {QKeySequence("Ctrl+Home")}, tr("First frame"));
+    lastFrame = add("lastFrame", tr("Last Frame"), "last", {QKeySequence("Ctrl+End")}, tr("Last frame"));
+    simulateFrame = add("simulateFrame", tr("Simulate One Frame"), "record",
+                        {QKeySequence("N"), QKeySequence(".")}, tr("Simulate and record one more frame"));
+    restart = add("restart", tr("Reset"), "reset", {QKeySequence("R")},
+                  tr("Back to the start, with a new recording"));
+    for (QAction* action : {stepBack, stepForward, tenBack, tenForward, simulateFrame})
+        action->setAutoRepeat(true);
+    for (QAction* action : {playPause, restart})
+        action->setAutoRepeat(false);
+}
+
+void Actions::addViewActions() {
+    home = add("home", tr("&Home"), "home", {QKeySequence("Home")}, tr("Camera back to where it started"));
+    frameSelection = add("frameSelection", tr("Frame &Selection"), "frame-selection", {QKeySequence("F")},
+                         tr("Move the camera so that the selection fills the view"));
+    frameAll = add("frameAll", tr("Frame &All"), "frame-all", {QKeySequence("A")},
+                   tr("Move the camera so that the cloth fills the view"));
+    front = add("front", tr("Front"), {}, {QKeySequence("1")}, tr("Look from the front, along -z"));
+    back = add("back", tr("Back"), {}, {QKeySequence("Ctrl+1")}, tr("Look from behind, along +z"));
+    right = add("right", tr("Right"), {}, {QKeySequence("3")}, tr("Look from the right, along -x"));
+    left = add("left", tr("Left"), {}, {QKeySequence("Ctrl+3")}, tr("Look from the left, along +x"));
+    top = add("top", tr("Top"), {}, {QKeySequence("7")}, tr("Look from above, along -y"));
+    bottom = add("bottom", tr("Bottom"), {}, {QKeySequence("Ctrl+7")}, tr("Look from below, along +y"));
+    orthographic = add("orthographic", tr("&Orthographic"), {}, {QKeySequence("5")},
+                       tr("Switch between perspective and orthographic"));
+    orthographic->setCheckable(true);
+    keepView = add("keepView", tr("&Keep This View in the Scene"), {}, {},
+                   tr("The scene opens with the camera where it is now"));
+    fullScreen = add("fullScreen", tr("&Full Screen"), {}, {QKeySequence("F11")}, tr("Full screen"));
+    fullScreen->setCheckable(true);
+    hidePanels = add("hidePanels", tr("Hide All &Panels"), "panels", {}, tr("Hide or show all panels"));
+    hidePanels->setCheckable(true);
+    hidePanels->setToolTip(tr("Hide or show all panels (Tab in the view)"));
+    resetLayout = add("resetLayout", tr("&Reset Layout"), {}, {}, tr("Put every panel back in its place"));
+    auto* themes = new QActionGroup(this);
+    darkTheme = add("darkTheme", tr("&Dark Theme"), {}, {}, tr("Dark panels"));
+    lightTheme = add("lightTheme", tr("&Light Theme"), {}, {}, tr("Light panels"));
+    for (QAction* theme : {darkTheme, lightTheme}) {
+        theme->setCheckable(true);
+        themes->addAction(theme);
+    }
+}
+
+void Actions::addOtherActions() {
+    boxSelect = add("boxSelect", tr("Select in a &Box"), "select", {QKeySequence("B")},
+                    tr("Then drag a box around points; Shift adds, Ctrl removes"));
+    clearSelection = add("clearSelection", tr("Select &Nothing"), {}, {}, tr("Select nothing"));
+    keys = add("keys", tr("&Keys and Mouse"), "help", {QKeySequence("F1"), QKeySequence("?")},
+               tr("List every key and what the mouse does"));
+    about = add("about", tr("&About ClothLab"), {}, {}, tr("What ClothLab is, and its version"));
+}
+
+void Actions::showPlaying(bool playing) {
+    playPause->setText(playing ? tr("Pause") : tr("Play"));
+    playPause->setIcon(themedIcon(playing ? "pause" : "play"));
+}
+
+} // namespace clothlab

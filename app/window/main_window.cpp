@@ -1,0 +1,206 @@
+#include "app/window/main_window.h"
+
+#include "app/docks/appearance_panel.h"
+#include "app/docks/inspector_panel.h"
+#include "app/docks/output_panel.h"
+#include "app/docks/simulation_panel.h"
+#include "app/docks/springs_panel.h"
+#include "app/docks/timeline_panel.h"
+#include "app/document/data_files.h"
+#include "app/render/renderer.h"
+#include "app/viewport/viewport.h"
+#include "app/widgets/icons.h"
+#include "app/window/actions.h"
+#include "app/window/file_controller.h"
+#include "app/window/message_bar.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QMimeData>
+#include <QSaveFile>
+#include <QStatusBar>
+#include <QVBoxLayout>
+
+#include <utility>
+
+namespace clothlab {
+
+MainWindow::MainWindow(std::unique_ptr<QSettings> settings, QWidget* parent)
+    : QMainWindow(parent), m_settings(std::move(settings)), m_simulation(m_document),
+      m_actions(new Actions(*this)), m_files(new FileController(m_document, *m_settings, *this)),
+      m_messageBar(new MessageBar), m_viewport(new Viewport(m_document, m_simulation)) {
+    setObjectName("mainWindow");
+    setWindowIcon(themedIcon("cloth-app"));
+    setAcceptDrops(true);
+    setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
+    resize(1440, 900);
+
+    const QString shaderDirectory = dataDirectory("shaders");
+    const QStringList shaders = render::listShaders(shaderDirectory);
+    m_viewport->setShaderDirectory(shaderDirectory);
+    auto* centre = new QWidget;
+    auto* layout = new QVBoxLayout(centre);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_messageBar);
+    layout->addWidget(m_viewport, 1);
+    setCentralWidget(centre);
+
+    makePanels(shaders);
+    makeToolBar(shaders);
+    makeMenus();
+    makeStatusBar();
+    connectFileActions();
+    connectSimulationActions();
+    connectViewActions();
+    connectMessages();
+    updateTitle();
+    updateTransport();
+    updateAppearanceControls();
+    setTheme(m_settings->value("theme").toString() == "light" ? Theme::Light : Theme::Dark);
+    m_viewport->setFocus();
+}
+
+MainWindow::~MainWindow() {
+    // The panels look at document and simulation, which are gone before QWidget deletes its children.
+    const auto children = findChildren<QWidget*>(Qt::FindDirectChildrenOnly);
+    qDeleteAll(children);
+}
+
+QDockWidget* MainWindow::dock(const QString& name) const {
+    return findChild<QDockWidget*>(name);
+}
+
+void MainWindow::connectFileActions() {
+    connect(m_actions->newScene, &QAction::triggered, m_files, &FileController::newScene);
+    connect(m_actions->open, &QAction::triggered, m_files, &FileController::chooseAndOpen);
+    connect(m_actions->save, &QAction::triggered, m_files, &FileController::save);
+    connect(m_actions->saveAs, &QAction::triggered, m_files, &FileController::saveAs);
+    connect(m_actions->screenshot, &QAction::triggered, this, &MainWindow::choosePicture);
+    connect(m_actions->quit, &QAction::triggered, this, &QWidget::close);
+    connect(&m_document, &Document::fileChanged, this, &MainWindow::updateTitle);
+}
+
+void MainWindow::connectSimulationActions() {
+    Simulation* s = &m_simulation;
+    connect(m_actions->playPause, &QAction::triggered, s, &Simulation::togglePlaying);
+    connect(m_actions->stepBack, &QAction::triggered, s, [s] { s->moveBy(-1); });
+    connect(m_actions->stepForward, &QAction::triggered, s, [s] { s->moveBy(1); });
+    connect(m_actions->tenBack, &QAction::triggered, s, [s] { s->moveBy(-10); });
+    connect(m_actions->tenForward, &QAction::triggered, s, [s] { s->moveBy(10); });
+    connect(m_actions->firstFrame, &QAction::triggered, s, [s] { s->showFrame(0); });
+    connect(m_actions->lastFrame, &QAction::triggered, s, [s] { s->showFrame(s->recording().lastFrame()); });
+    connect(m_actions->simulateFrame, &QAction::triggered, s, &Simulation::simulateFrame);
+    connect(m_actions->restart, &QAction::triggered, s, &Simulation::restart);
+    connect(s, &Simulation::playingChanged, m_actions, &Actions::showPlaying);
+    connect(s, &Simulation::frameShown, this, &MainWindow::updateTransport);
+    connect(s, &Simulation::recordingChanged, this, &MainWindow::updateTransport);
+}
+
+void MainWindow::connectMessages() {
+    connect(m_files, &FileController::notice, this, &MainWindow::say);
+    connect(m_files, &FileController::problem, this, &MainWindow::showProblem);
+    connect(&m_document, &Document::sceneReplaced, m_messageBar, &QWidget::hide);
+    connect(&m_simulation, &Simulation::notice, this, &MainWindow::say);
+    connect(&m_simulation, &Simulation::blowUpChanged, this, [this] {
+        if (!m_simulation.blowUp().isEmpty())
+            say(tr("The cloth %1.").arg(m_simulation.blowUp()));
+    });
+    connect(m_simulationPanel, &SimulationPanel::rejected, this, &MainWindow::say);
+    connect(m_timelinePanel, &TimelinePanel::rejected, this, &MainWindow::say);
+    connect(m_viewport, &Viewport::shaderMessages, this, [this](const QStringList& messages) {
+        if (!messages.isEmpty())
+            showProblem(messages.join('\n'));
+    });
+    // What an undo or redo did.
+    connect(&m_document.undoStack(), &QUndoStack::indexChanged, this, [this, before = 0](int index) mutable {
+        if (index < before)
+            statusBar()->showMessage(tr("Undone: %1").arg(m_document.undoStack().text(index)), 5000);
+        before = index;
+    });
+}
+
+void MainWindow::say(const QString& text) {
+    constexpr int milliseconds = 10000;
+    statusBar()->showMessage(text.section('\n', 0, 0), milliseconds);
+    m_outputPanel->add(text);
+}
+
+void MainWindow::showProblem(const QString& text) {
+    m_messageBar->showProblem(text);
+    m_outputPanel->add(text);
+}
+
+void MainWindow::updateTitle() {
+    setWindowTitle(tr("%1[*] — ClothLab").arg(m_document.displayName()));
+    setWindowModified(m_document.isModified());
+    setWindowFilePath(m_document.path());
+}
+
+namespace {
+
+// An action that cannot be used now says why in its tip.
+void setUsable(QAction* action, bool usable, const QString& whyNot) {
+    if (action->isEnabled() == usable)
+        return;
+    constexpr const char* kOwnTip = "ownToolTip";
+    if (!usable)
+        action->setProperty(kOwnTip, action->toolTip());
+    action->setEnabled(usable);
+    action->setToolTip(usable ? action->property(kOwnTip).toString() : whyNot);
+}
+
+} // namespace
+
+void MainWindow::updateTransport() {
+    const bool atStart = m_simulation.currentFrame() == 0;
+    const bool atEnd = m_simulation.currentFrame() == m_simulation.recording().lastFrame();
+    for (QAction* action : {m_actions->stepBack, m_actions->tenBack, m_actions->firstFrame})
+        setUsable(action, !atStart, tr("This is the first frame"));
+    for (QAction* action : {m_actions->stepForward, m_actions->tenForward, m_actions->lastFrame})
+        setUsable(action, !atEnd, tr("This is the last recorded frame; N simulates one more"));
+}
+
+void MainWindow::updateAppearanceControls() {
+    const Appearance& appearance = m_document.scene().appearance;
+    showShader(*m_shaderSelector, QString::fromStdString(appearance.shader));
+    const bool visible = appearance.shader == "Wireframe" || appearance.springsOverSurface;
+    for (int type = 0; type < kSpringTypes; ++type) {
+        QAction* action = m_springActions[std::size_t(type)];
+        action->setChecked(appearance.springsDrawn[std::size_t(type)]);
+        setUsable(action, visible,
+                  tr("Springs are drawn by the shader Wireframe, or over surfaces (panel Springs)"));
+    }
+}
+
+std::optional<QString> MainWindow::savePicture(const QString& path) {
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || !grab().save(&file, "PNG") || !file.commit())
+        return tr("%1: the picture could not be written: %2").arg(path, file.errorString());
+    return std::nullopt;
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!m_files->mayDiscard()) {
+        event->ignore();
+        return;
+    }
+    keepLayout();
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    const QList<QUrl> urls = event->mimeData()->urls();
+    if (urls.size() == 1 && urls.constFirst().isLocalFile())
+        event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    event->acceptProposedAction();
+    const QString path = event->mimeData()->urls().constFirst().toLocalFile();
+    // After the drop, so that a question does not hold up the program that it came from.
+    QMetaObject::invokeMethod(
+        this, [this, path] { m_files->open(path); }, Qt::QueuedConnection);
+}
+
+} // namespace clothlab

@@ -1,0 +1,112 @@
+// The window: panels around the view, the actions, and who says what to whom.
+#pragma once
+
+#include "app/document/document.h"
+#include "app/simulation/simulation.h"
+#include "app/widgets/theme.h"
+
+#include <QMainWindow>
+#include <QSettings>
+
+#include <array>
+#include <memory>
+
+class QComboBox;
+class QDockWidget;
+
+namespace clothlab {
+
+class Actions;
+class AppearancePanel;
+class FileController;
+class InspectorPanel;
+class MessageBar;
+class OutputPanel;
+class SimulationPanel;
+class SpringsPanel;
+class TimelinePanel;
+class Viewport;
+
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+public:
+    // Layout, theme and recent files are read from and kept in `settings`.
+    explicit MainWindow(std::unique_ptr<QSettings> settings, QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    Document& document() { return m_document; }
+    Simulation& simulation() { return m_simulation; }
+    Viewport& viewport() { return *m_viewport; }
+    Actions& actions() { return *m_actions; }
+    FileController& files() { return *m_files; }
+    MessageBar& messageBar() { return *m_messageBar; }
+    SimulationPanel& simulationPanel() { return *m_simulationPanel; }
+    SpringsPanel& springsPanel() { return *m_springsPanel; }
+    AppearancePanel& appearancePanel() { return *m_appearancePanel; }
+    InspectorPanel& inspectorPanel() { return *m_inspectorPanel; }
+    TimelinePanel& timelinePanel() { return *m_timelinePanel; }
+    OutputPanel& outputPanel() { return *m_outputPanel; }
+    QDockWidget* dock(const QString& name) const;
+
+    void setTheme(Theme theme);
+    void resetLayout();
+
+    // Writes a PNG of the window as it is, whole or not at all. Returns what went wrong, in words.
+    std::optional<QString> savePicture(const QString& path);
+
+public slots:
+    void say(const QString& text);         // in the status bar and in Output
+    void showProblem(const QString& text); // above the view and in Output
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+
+private:
+    void makePanels(const QStringList& shaders);
+    QDockWidget* addDock(const QString& name, const QString& title, QWidget* panel, Qt::DockWidgetArea area,
+                         bool scrolls);
+    void makeMenus();
+    void makeToolBar(const QStringList& shaders);
+    void makeStatusBar();
+    void connectFileActions();
+    void connectSimulationActions();
+    void connectViewActions();
+    void connectMessages();
+
+    void arrangeDocks();
+    void restoreLayout();
+    void keepLayout();
+    void setPanelsHidden(bool hidden);
+    void updateTitle();
+    void updateTransport();
+    void updateAppearanceControls();
+    void keepView();
+    void choosePicture();
+    void showKeys();
+    void showAbout();
+
+    std::unique_ptr<QSettings> m_settings;
+    Document m_document;
+    Simulation m_simulation;
+    Actions* m_actions;
+    FileController* m_files;
+    MessageBar* m_messageBar;
+    Viewport* m_viewport;
+    SimulationPanel* m_simulationPanel = nullptr;
+    SpringsPanel* m_springsPanel = nullptr;
+    AppearancePanel* m_appearancePanel = nullptr;
+    InspectorPanel* m_inspectorPanel = nullptr;
+    TimelinePanel* m_timelinePanel = nullptr;
+    OutputPanel* m_outputPanel = nullptr;
+    QComboBox* m_shaderSelector = nullptr;
+    std::array<QAction*, kSpringTypes> m_springActions{};
+    QByteArray m_defaultState;
+    QList<QDockWidget*> m_hiddenDocks; // by hidePanels
+    bool m_laidOut = false;
+};
+
+} // namespace clothlab

@@ -1,0 +1,110 @@
+#include "app/window/run_window.h"
+
+#include "app/cli/exit_status.h"
+#include "app/window/file_controller.h"
+#include "app/window/main_window.h"
+#include "app/window/message_bar.h"
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+
+#include <cstdio>
+
+namespace clothlab {
+
+QString parseWindowOptions(const QStringList& arguments, WindowOptions& options) {
+    QCommandLineParser parser;
+    parser.addPositionalArgument("scene", {});
+    for (const char* name : {"screenshot", "frames", "theme", "size"})
+        parser.addOption({name, {}, "value"});
+    if (!parser.parse(QStringList{"clothlab"} + arguments))
+        return parser.errorText();
+    if (parser.positionalArguments().size() > 1)
+        return QStringLiteral("one scene at a time, not %1").arg(parser.positionalArguments().join(' '));
+    options.scene = parser.positionalArguments().value(0);
+    options.screenshot = parser.value("screenshot");
+    if (parser.isSet("screenshot") && options.screenshot.isEmpty())
+        return "--screenshot takes the name of a PNG file";
+    if (parser.isSet("frames")) {
+        bool ok = false;
+        options.frames = parser.value("frames").toInt(&ok);
+        if (!ok || options.frames < 0)
+            return QStringLiteral("--frames takes a whole number from 0, not '%1'")
+                .arg(parser.value("frames"));
+    }
+    options.theme = parser.value("theme");
+    if (parser.isSet("theme") && options.theme != "dark" && options.theme != "light")
+        return QStringLiteral("--theme takes dark or light, not '%1'").arg(options.theme);
+    if (parser.isSet("size")) {
+        static const QRegularExpression pattern("^([1-9]\\d{1,4})x([1-9]\\d{1,4})$");
+        const QRegularExpressionMatch match = pattern.match(parser.value("size"));
+        if (!match.hasMatch())
+            return QStringLiteral("--size takes WIDTHxHEIGHT in pixels, not '%1'").arg(parser.value("size"));
+        options.size = QSize(match.captured(1).toInt(), match.captured(2).toInt());
+    }
+    return {};
+}
+
+namespace {
+
+// Plays frames, saves a picture and quits.
+class ScreenshotRun : public QObject {
+public:
+    ScreenshotRun(MainWindow& window, const WindowOptions& options) : m_window(window), m_options(options) {
+        connect(&window.simulation(), &Simulation::frameShown, this, &ScreenshotRun::next);
+        connect(&window.simulation(), &Simulation::blowUpChanged, this, [this] { finish(); });
+        QMetaObject::invokeMethod(this, &ScreenshotRun::next, Qt::QueuedConnection);
+    }
+
+private:
+    void next() {
+        if (m_window.simulation().currentFrame() < m_options.frames)
+            m_window.simulation().simulateFrame();
+        else
+            finish();
+    }
+
+    void finish() {
+        disconnect(&m_window.simulation(), nullptr, this, nullptr);
+        // After the window has been painted.
+        QTimer::singleShot(200, this, [this] {
+            const auto error = m_window.savePicture(m_options.screenshot);
+            if (error)
+                std::fprintf(stderr, "clothlab: %s\n", qPrintable(*error));
+            QApplication::exit(error ? cli::OutputNotWritten : cli::Done);
+        });
+    }
+
+    MainWindow& m_window;
+    const WindowOptions& m_options;
+};
+
+} // namespace
+
+int runWindow(const WindowOptions& options) {
+    const bool pictureOnly = !options.screenshot.isEmpty();
+    // A picture shows the layout as it comes, and leaves the user's own alone.
+    const QTemporaryDir temporary;
+    auto settings =
+        pictureOnly
+            ? std::make_unique<QSettings>(temporary.filePath("settings.ini"), QSettings::IniFormat)
+            : std::make_unique<QSettings>(QSettings::IniFormat, QSettings::UserScope, "ClothLab", "ClothLab");
+    MainWindow window(std::move(settings));
+    if (!options.theme.isEmpty())
+        window.setTheme(options.theme == "light" ? Theme::Light : Theme::Dark);
+    window.show();
+    if (options.size)
+        window.resize(*options.size);
+    if (!options.scene.isEmpty() && !window.files().openUnasked(options.scene) && pictureOnly) {
+        std::fprintf(stderr, "clothlab: %s\n", qPrintable(window.messageBar().text()));
+        return cli::InvalidInput;
+    }
+    std::unique_ptr<ScreenshotRun> run;
+    if (pictureOnly)
+        run = std::make_unique<ScreenshotRun>(window, options);
+    return QApplication::exec();
+}
+
+} // namespace clothlab

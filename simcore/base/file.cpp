@@ -1,0 +1,335 @@
+// The only file that knows the operating system's calls for files (POSIX).
+#include "simcore/base/file.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <exception>
+#include <ostream>
+#include <streambuf>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace clothlab {
+namespace {
+
+class FileDescriptor {
+public:
+    explicit FileDescriptor(int fd) : m_fd(fd) {}
+    ~FileDescriptor() { close(); }
+    FileDescriptor(const FileDescriptor&) = delete;
+    FileDescriptor& operator=(const FileDescriptor&) = delete;
+
+    int get() const { return m_fd; }
+    bool close() {
+        const int fd = std::exchange(m_fd, -1);
+        return fd < 0 || ::close(fd) == 0;
+    }
+
+private:
+    int m_fd;
+};
+
+template <typename Call>
+auto withoutInterruption(Call call) {
+    auto result = call();
+    while (result < 0 && errno == EINTR)
+        result = call();
+    return result;
+}
+
+struct Words {
+    std::string message;
+    std::string remedy;
+};
+
+Words describe(int error) {
+    switch (error) {
+    case ENOENT:
+        return {"there is no such file or folder", "check its name and the folder it should be in"};
+    case ENOTDIR:
+        return {"a part of its path is a file, not a folder", "check the path"};
+    case EACCES:
+    case EPERM:
+        return {"its permissions do not allow it", "change the permissions or choose another place"};
+    case EROFS:
+        return {"it is on a disk that can only be read", "choose another place"};
+    case ELOOP:
+        return {"its symbolic links go in a circle", "correct the links"};
+    case ENAMETOOLONG:
+        return {"its name is too long", "choose a shorter name"};
+    case ENOSPC:
+    case EDQUOT:
+        return {"the disk is full", "free some space or choose another disk"};
+    case EFBIG:
+        return {"it grows larger than the disk allows", "choose another disk"};
+    case EMFILE:
+    case ENFILE:
+        return {"too many files are open", "close some and try again"};
+    case EIO:
+        return {"the disk reports a fault", "check the disk and try again"};
+    default:
+        return {"the system refuses it (error " + std::to_string(error) + ")",
+                "try again or choose another place"};
+    }
+}
+
+std::string sentence(const Words& words) {
+    return words.message + "; " + words.remedy;
+}
+
+Words describeKind(mode_t mode) {
+    if (S_ISDIR(mode))
+        return {"is a folder, not a file", "name a file in it"};
+    return {"is a pipe, socket or device, not a file", "name an ordinary file"};
+}
+
+// The system would take such a name for its first part.
+bool usableName(const std::string& path) {
+    return !path.empty() && path.find('\0') == std::string::npos;
+}
+
+constexpr const char* kUnusableName = "is not a name of a file";
+constexpr const char* kUnusableNameRemedy = "give a name that is not empty and holds no zero byte";
+
+FileText failure(std::string message, std::string remedy) {
+    return {std::nullopt, {{Severity::Error, "", std::move(message), std::move(remedy)}}};
+}
+
+FileText failure(const Words& words) {
+    return failure(words.message, words.remedy);
+}
+
+FileText tooLarge(std::uint64_t maxBytes) {
+    return failure("is larger than the " + std::to_string(maxBytes) + " bytes that are read at most",
+                   "check that it is the right file, or make it smaller");
+}
+
+// The size a file states is only a hint: it may grow, and some files state 0.
+FileText readAll(int fd, std::uint64_t statedSize, std::uint64_t maxBytes) {
+    std::string text;
+    std::size_t used = 0;
+    text.resize(static_cast<std::size_t>(statedSize) + 1);
+    for (;;) {
+        if (used == text.size())
+            text.resize(static_cast<std::size_t>(std::min<std::uint64_t>(2 * used + 4096, maxBytes + 1)));
+        const ssize_t got = withoutInterruption([&] { return ::read(fd, &text[used], text.size() - used); });
+        if (got < 0)
+            return failure(describe(errno));
+        if (got == 0)
+            break;
+        used += static_cast<std::size_t>(got);
+        if (used > maxBytes)
+            return tooLarge(maxBytes);
+    }
+    text.resize(used);
+    return {std::move(text), {}};
+}
+
+FileText readRegularFile(const std::string& path, std::uint64_t maxBytes) {
+    struct stat info {};
+    // Before it is opened, as opening a device can already do something.
+    if (::stat(path.c_str(), &info) != 0)
+        return failure(describe(errno));
+    if (!S_ISREG(info.st_mode))
+        return failure(describeKind(info.st_mode));
+
+    // The file may have been replaced since, so opening must not block and its kind is asked again.
+    FileDescriptor file(withoutInterruption(
+        [&] { return ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC); }));
+    if (file.get() < 0 || ::fstat(file.get(), &info) != 0)
+        return failure(describe(errno));
+    if (!S_ISREG(info.st_mode))
+        return failure(describeKind(info.st_mode));
+    const auto size = static_cast<std::uint64_t>(std::max<off_t>(info.st_size, 0));
+    return size > maxBytes ? tooLarge(maxBytes) : readAll(file.get(), size, maxBytes);
+}
+
+// Writes to a file descriptor and remembers the first error.
+class DescriptorBuffer : public std::streambuf {
+public:
+    explicit DescriptorBuffer(int fd) : m_fd(fd) { setp(m_buffer.data(), m_buffer.data() + m_buffer.size()); }
+    int error() const { return m_error; }
+
+protected:
+    int_type overflow(int_type c) override {
+        if (!drain())
+            return traits_type::eof();
+        if (!traits_type::eq_int_type(c, traits_type::eof()))
+            sputc(traits_type::to_char_type(c));
+        return traits_type::not_eof(c);
+    }
+    int sync() override { return drain() ? 0 : -1; }
+
+private:
+    bool drain() {
+        const char* from = pbase();
+        while (m_error == 0 && from < pptr()) {
+            const auto count = static_cast<std::size_t>(pptr() - from);
+            const ssize_t written = withoutInterruption([&] { return ::write(m_fd, from, count); });
+            if (written < 0)
+                m_error = errno;
+            else
+                from += written;
+        }
+        setp(m_buffer.data(), m_buffer.data() + m_buffer.size());
+        return m_error == 0;
+    }
+
+    int m_fd;
+    int m_error = 0;
+    std::array<char, 1 << 16> m_buffer{};
+};
+
+std::string folderOf(const std::string& path) {
+    const std::size_t slash = path.rfind('/');
+    return slash == std::string::npos ? "." : path.substr(0, slash + 1);
+}
+
+// Where the symbolic links of the last part of path lead, whether or not there is a file yet.
+// Writes the system's error number.
+std::string followLinks(std::string path, int& error) {
+    constexpr int kMaxLinks = 40; // as the Linux kernel
+    for (int i = 0; i < kMaxLinks; ++i) {
+        struct stat info {};
+        if (::lstat(path.c_str(), &info) != 0 || !S_ISLNK(info.st_mode))
+            return path;
+        std::string target(4096, '\0');
+        const ssize_t length = ::readlink(path.c_str(), target.data(), target.size());
+        if (length < 0) {
+            error = errno;
+            return path;
+        }
+        target.resize(static_cast<std::size_t>(length));
+        path = target.starts_with('/') ? target : folderOf(path) + "/" + target;
+    }
+    error = ELOOP;
+    return path;
+}
+
+// A new file in a folder, gone again unless it is renamed.
+class TemporaryFile {
+public:
+    // Opened for writing; get() is negative if that failed, with the reason in errno.
+    TemporaryFile(const std::string& folder, mode_t mode) : m_file(create(folder, mode)) {}
+    ~TemporaryFile() {
+        if (!m_path.empty())
+            ::unlink(m_path.c_str());
+    }
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+    int get() const { return m_file.get(); }
+
+    bool renameTo(const std::string& path) {
+        // Without fsync a crash soon after could leave the new name with nothing in it.
+        if (withoutInterruption([&] { return ::fsync(get()); }) != 0 || !m_file.close())
+            return false;
+        if (::rename(m_path.c_str(), path.c_str()) != 0)
+            return false;
+        m_path.clear();
+        return true;
+    }
+
+private:
+    int create(const std::string& folder, mode_t mode) {
+        static std::atomic<unsigned> counter{0};
+        constexpr int kAttempts = 1000; // leftovers of crashed programs with the same process number
+        for (int i = 0; i < kAttempts; ++i) {
+            m_path = folder + "/.clothlab-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) +
+                     ".tmp";
+            const int fd = withoutInterruption(
+                [&] { return ::open(m_path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode); });
+            if (fd >= 0)
+                return fd;
+            if (errno != EEXIST)
+                break;
+        }
+        const int error = errno;
+        m_path.clear(); // it is not ours to remove
+        errno = error;
+        return -1;
+    }
+
+    std::string m_path; // before m_file, whose initialisation sets it
+    FileDescriptor m_file;
+};
+
+std::optional<std::string> fill(int fd, const std::function<void(std::ostream&)>& write) {
+    DescriptorBuffer buffer(fd);
+    std::ostream out(&buffer);
+    write(out);
+    out.flush();
+    if (buffer.error() != 0)
+        return sentence(describe(buffer.error()));
+    if (!out)
+        return "its content could not be made; try again";
+    return std::nullopt;
+}
+
+std::optional<std::string> replaceFile(const std::string& path,
+                                       const std::function<void(std::ostream&)>& write) {
+    if (!usableName(path))
+        return std::string(kUnusableName) + "; " + kUnusableNameRemedy;
+    int error = 0;
+    const std::string target = followLinks(path, error);
+    if (error != 0)
+        return sentence(describe(error));
+
+    struct stat old {};
+    const bool exists = ::stat(target.c_str(), &old) == 0;
+    if (exists && !S_ISREG(old.st_mode))
+        return sentence(describeKind(old.st_mode));
+    // Renaming would replace a file that its owner has protected from writing.
+    if (exists && ::access(target.c_str(), W_OK) != 0)
+        return sentence(describe(errno));
+
+    TemporaryFile file(folderOf(target), exists ? 0600 : 0666);
+    if (file.get() < 0)
+        return sentence(describe(errno));
+    if (auto trouble = fill(file.get(), write))
+        return trouble;
+    if (exists) {
+        // Only a privileged user can give a file away; to others the file becomes theirs.
+        [[maybe_unused]] const int owner = ::fchown(file.get(), old.st_uid, old.st_gid);
+        if (::fchmod(file.get(), old.st_mode & 07777) != 0)
+            return sentence(describe(errno));
+    }
+    if (!file.renameTo(target))
+        return sentence(describe(errno));
+
+    // The file is complete either way; this only makes the rename outlast a loss of power.
+    const FileDescriptor folder(::open(folderOf(target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (folder.get() >= 0)
+        ::fsync(folder.get());
+    return std::nullopt;
+}
+
+} // namespace
+
+FileText readFile(const std::string& path, std::uint64_t maxBytes) {
+    if (!usableName(path))
+        return failure(kUnusableName, kUnusableNameRemedy);
+    try {
+        return readRegularFile(path, maxBytes);
+    } catch (const std::exception&) {
+        return failure("does not fit into the memory", "close other programs or make the file smaller");
+    }
+}
+
+std::optional<std::string> writeFileWhole(const std::string& path,
+                                          const std::function<void(std::ostream&)>& write) {
+    try {
+        return replaceFile(path, write);
+    } catch (const std::exception& e) {
+        return std::string("its content could not be made (") + e.what() + "); try again";
+    } catch (...) {
+        return "its content could not be made; try again";
+    }
+}
+
+} // namespace clothlab

@@ -1,0 +1,34 @@
+// Ranges of the numbers in a scene, and the words for them: the same when a file is read and when a scene
+// is checked. Those of the parameters come from their table.
+#pragma once
+
+#include "simcore/scene/parameters.h"
+
+#include <string>
+
+namespace clothlab {
+
+struct Range {
+    double minimum = 0;
+    double maximum = 0;
+    bool whole = false;
+    bool minimumExcluded = false;
+
+    bool contains(double value) const; // false for NaN
+    std::string words() const;         // "a whole number from 2 to 100"
+};
+
+Range rangeOf(const Parameter& parameter);
+
+inline constexpr double kMaxCoordinate = 1e6; // m; beyond it a double is too coarse for the solver's offsets
+inline constexpr Range kCoordinate{-kMaxCoordinate, kMaxCoordinate};
+inline constexpr Range kLength{0, kMaxCoordinate, false, true};
+inline constexpr Range kShare{0, 1};
+inline constexpr Range kAzimuth{-360, 360};
+inline constexpr Range kElevation{-90, 90};
+
+// What is wrong with a number and what to write instead.
+std::string outOfRange(double value);
+std::string writeWithin(const Range& range);
+
+} // namespace clothlab

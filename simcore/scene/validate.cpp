@@ -1,0 +1,155 @@
+#include "simcore/scene/json_check.h"
+#include "simcore/scene/json_text.h"
+#include "simcore/scene/known_keys.h"
+#include "simcore/scene/range.h"
+#include "simcore/scene/scene_checks.h"
+#include "simcore/scene/scene_io.h"
+
+#include <limits>
+
+namespace clothlab {
+namespace {
+
+void check(double value, const Range& range, const std::string& place, Report& report) {
+    if (!range.contains(value))
+        report.error(place, outOfRange(value), writeWithin(range));
+}
+
+void check(const Vec3& value, const Range& range, const std::string& place, Report& report) {
+    for (int i = 0; i < 3; ++i)
+        check(value[i], range, place + "[" + std::to_string(i) + "]", report);
+}
+
+std::string placeIn(const char* key, std::size_t index, std::size_t count) {
+    return count == 1 ? key : key + ("[" + std::to_string(index) + "]");
+}
+
+void checkPins(const Cloth& cloth, Report& report) {
+    std::size_t outside = 0;
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < cloth.pinned.size(); ++i) {
+        const GridPoint p = cloth.pinned[i];
+        if (p.x >= 0 && p.x < cloth.numWidthPoints && p.y >= 0 && p.y < cloth.numHeightPoints)
+            continue;
+        first = outside == 0 ? i : first;
+        ++outside;
+    }
+    if (outside == 0)
+        return;
+    const GridPoint p = cloth.pinned[first];
+    std::string message = "[" + std::to_string(p.x) + ", " + std::to_string(p.y) +
+                          "] is not a point of the grid of " + std::to_string(cloth.numWidthPoints) + " by " +
+                          std::to_string(cloth.numHeightPoints);
+    if (outside > 1)
+        message += "; so are " + std::to_string(outside - 1) + " more";
+    report.error("cloth.pinned[" + std::to_string(first) + "]", message,
+                 "give x from 0 to " + std::to_string(cloth.numWidthPoints - 1) + " and y from 0 to " +
+                     std::to_string(cloth.numHeightPoints - 1));
+}
+
+void checkPointCount(const Cloth& cloth, Report& report) {
+    const std::int64_t points = std::int64_t(cloth.numWidthPoints) * cloth.numHeightPoints;
+    if (points > kMaxPoints)
+        report.error("cloth.num_width_points",
+                     std::to_string(cloth.numWidthPoints) + " by " + std::to_string(cloth.numHeightPoints) +
+                         " points are " + std::to_string(points) + ", more than the " +
+                         std::to_string(kMaxPoints) + " that a sheet may have",
+                     "give fewer points");
+}
+
+void checkColliders(const Scene& scene, Report& report) {
+    for (std::size_t i = 0; i < scene.spheres.size() && !report.full(); ++i) {
+        const Sphere& sphere = scene.spheres[i];
+        const std::string place = placeIn("sphere", i, scene.spheres.size());
+        check(sphere.origin, kCoordinate, place + ".origin", report);
+        check(sphere.radius, kLength, place + ".radius", report);
+        check(sphere.friction, kShare, place + ".friction", report);
+    }
+    for (std::size_t i = 0; i < scene.planes.size() && !report.full(); ++i) {
+        const Plane& plane = scene.planes[i];
+        const std::string place = placeIn("plane", i, scene.planes.size());
+        check(plane.point, kCoordinate, place + ".point", report);
+        check(plane.normal, kCoordinate, place + ".normal", report);
+        // A normal so short that its square is no ordinary number cannot be brought to length 1.
+        if (plane.normal.squaredNorm() < std::numeric_limits<double>::min())
+            report.error(place + ".normal", "has no length and so no direction",
+                         "give a direction, like [0, 1, 0]");
+        check(plane.friction, kShare, place + ".friction", report);
+    }
+}
+
+void checkAppearance(const Appearance& appearance, Report& report) {
+    constexpr std::size_t kLongestName = 200;
+    for (std::size_t i = 0; i < appearance.color.size(); ++i)
+        check(appearance.color[i], kShare, "appearance.color[" + std::to_string(i) + "]", report);
+    const std::string& name = appearance.shader;
+    const bool isPath = name.find_first_of("/\\") != std::string::npos || name == "." || name == "..";
+    if (name.empty() || name.size() > kLongestName || isPath || !json::isUtf8(name))
+        report.error("appearance.shader", "is not the name of a shader",
+                     "give a name like \"Phong\", without / or \\");
+}
+
+void checkCamera(const CameraView& camera, Report& report) {
+    check(camera.target, kCoordinate, "camera.target", report);
+    check(camera.distance, kLength, "camera.distance", report);
+    check(camera.azimuth, kAzimuth, "camera.azimuth", report);
+    check(camera.elevation, kElevation, "camera.elevation", report);
+}
+
+// A file writes these keys beside the known ones, so they must be an object and none of them known.
+void checkUnknownKeys(const std::string& text, const std::string& place, Keys known, Report& report) {
+    constexpr const char* kRemedy = "take the key out of unknownKeys";
+    if (text.empty())
+        return;
+    const auto fault = json::checkJson(text);
+    if (fault || json::parse(text).type() != json::Type::Object) {
+        report.error(place, "its unknown keys are not the text of a JSON object",
+                     "leave unknownKeys as it was read");
+        return;
+    }
+    for (const json::Member& member : json::members(json::parse(text))) {
+        if (isKnown(member.key, known))
+            report.error(place + "." + member.key, "is a known key among the unknown ones", kRemedy);
+    }
+}
+
+void checkAllUnknownKeys(const Scene& scene, Report& report) {
+    checkUnknownKeys(scene.unknownKeys, "", kSceneKeys, report);
+    checkUnknownKeys(scene.cloth.unknownKeys, "cloth", kClothKeys, report);
+    for (std::size_t i = 0; i < scene.spheres.size(); ++i)
+        checkUnknownKeys(scene.spheres[i].unknownKeys, placeIn("sphere", i, scene.spheres.size()),
+                         kSphereKeys, report);
+    for (std::size_t i = 0; i < scene.planes.size(); ++i)
+        checkUnknownKeys(scene.planes[i].unknownKeys, placeIn("plane", i, scene.planes.size()), kPlaneKeys,
+                         report);
+    checkUnknownKeys(scene.simulation.unknownKeys, "simulation", kSimulationKeys, report);
+    checkUnknownKeys(scene.appearance.unknownKeys, "appearance", kAppearanceKeys, report);
+    checkUnknownKeys(scene.appearance.unknownSpringKeys, "appearance.springs_drawn", kSpringsDrawnKeys,
+                     report);
+    if (scene.camera)
+        checkUnknownKeys(scene.camera->unknownKeys, "camera", kCameraKeys, report);
+}
+
+} // namespace
+
+void findErrors(const Scene& scene, Report& report) {
+    for (const Parameter& parameter : parameters())
+        check(parameter.get(scene), rangeOf(parameter), std::string(parameter.id), report);
+    checkPointCount(scene.cloth, report);
+    checkPins(scene.cloth, report);
+    checkColliders(scene, report);
+    checkAppearance(scene.appearance, report);
+    if (scene.camera)
+        checkCamera(*scene.camera, report);
+}
+
+Diagnostics validate(const Scene& scene) {
+    Report report;
+    findErrors(scene, report);
+    checkAllUnknownKeys(scene, report);
+    if (report.errors() == 0)
+        findWarnings(scene, report);
+    return report.take();
+}
+
+} // namespace clothlab
