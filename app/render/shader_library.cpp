@@ -105,7 +105,6 @@ bool ShaderLibrary::initialize(Gl& gl, QString* error) {
 void ShaderLibrary::destroy(Gl& gl) {
     for (ShaderProgram* program : {&m_surface, &m_springs, &m_plainSurface, &m_lines, &m_dots, &m_ground})
         program->destroy(gl);
-    reload();
 }
 
 const ShaderProgram& ShaderLibrary::surface(Gl& gl, const QString& name) {

@@ -15,16 +15,16 @@ Actions::Actions(QWidget& window) : QObject(&window), m_window(window) {
 }
 
 QAction* Actions::add(const char* name, const QString& text, const QString& icon,
-                      const QList<QKeySequence>& keys, const QString& tip) {
+                      const QList<QKeySequence>& shortcuts, const QString& tip) {
     auto* action = new QAction(text, &m_window);
     action->setObjectName(name);
     if (!icon.isEmpty())
         action->setIcon(themedIcon(icon));
-    action->setShortcuts(keys);
+    action->setShortcuts(shortcuts);
     QStringList names;
-    for (const QKeySequence& key : keys)
+    for (const QKeySequence& key : shortcuts)
         names << key.toString(QKeySequence::NativeText);
-    action->setToolTip(keys.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, names.join(tr(" or "))));
+    action->setToolTip(shortcuts.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, names.join(tr(" or "))));
     action->setStatusTip(tip);
     // Works wherever the focus is, floating docks included.
     action->setShortcutContext(Qt::ApplicationShortcut);

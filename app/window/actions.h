@@ -60,7 +60,7 @@ public:
     void showPlaying(bool playing);
 
 private:
-    QAction* add(const char* name, const QString& text, const QString& icon, const QList<QKeySequence>& keys,
+    QAction* add(const char* name, const QString& text, const QString& icon, const QList<QKeySequence>& shortcuts,
                  const QString& tip);
     void addFileActions();
     void addSimulationActions();

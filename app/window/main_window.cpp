@@ -16,6 +16,7 @@
 
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDockWidget>
 #include <QMimeData>
 #include <QSaveFile>
 #include <QStatusBar>

@@ -21,6 +21,9 @@
 #include <QScrollArea>
 #include <QStatusBar>
 #include <QToolBar>
+#include <QToolButton>
+
+#include <utility>
 
 namespace clothlab {
 namespace {

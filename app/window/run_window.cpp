@@ -9,6 +9,7 @@
 #include <QCommandLineParser>
 #include <QRegularExpression>
 #include <QTemporaryDir>
+#include <QTimer>
 
 #include <cstdio>
 
@@ -55,7 +56,8 @@ public:
     ScreenshotRun(MainWindow& window, const WindowOptions& options) : m_window(window), m_options(options) {
         connect(&window.simulation(), &Simulation::frameShown, this, &ScreenshotRun::next);
         connect(&window.simulation(), &Simulation::blowUpChanged, this, [this] { finish(); });
-        QMetaObject::invokeMethod(this, &ScreenshotRun::next, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            this, [this] { next(); }, Qt::QueuedConnection);
     }
 
 private:

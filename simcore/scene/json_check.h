@@ -2,6 +2,7 @@
 
 #include "simcore/base/diagnostic.h"
 
+#include <cstddef>
 #include <optional>
 #include <string_view>
 
@@ -11,14 +12,8 @@ inline constexpr int kMaxLevels = 64;
 inline constexpr std::size_t kMaxKeys = 100'000; // of the objects that are open at one place of the text
 
 // The first thing that keeps text from being UTF-8 JSON (RFC 8259) with distinct keys in each object, at
-// most kMaxLevels levels, and numbers that a double can hold. A place is a line and a column, in
-// characters, or for keys and levels the path of keys. Text without a byte order mark.
+// most kMaxLevels levels, no zero bytes, and numbers that a double can hold. A place is a line and a
+// column, in characters, or for keys and levels the path of keys. Text without a byte order mark.
 std::optional<Diagnostic> checkJson(std::string_view text);
-
-// Whether text is UTF-8 and what scenes may hold as text: no zero bytes.
-bool isUtf8(std::string_view text);
-
-// "line 3, column 7" of a byte of UTF-8 text.
-std::string placeOf(std::string_view text, std::size_t offset);
 
 } // namespace clothlab::json

@@ -161,14 +161,4 @@ std::string numberText(double finite) {
     return {buffer.data(), result.ptr};
 }
 
-std::string shortened(std::string_view utf8) {
-    constexpr std::size_t kLength = 40;
-    if (utf8.size() <= kLength)
-        return std::string(utf8);
-    std::size_t end = kLength;
-    while (end > 0 && (static_cast<unsigned char>(utf8[end]) & 0xC0U) == 0x80U) // not inside a character
-        --end;
-    return std::string(utf8.substr(0, end)) + "…";
-}
-
 } // namespace clothlab::json

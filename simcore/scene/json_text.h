@@ -47,7 +47,4 @@ std::string spaced(std::string_view text);  // compact text with a space after e
 std::string quoted(std::string_view utf8);
 std::string numberText(double finite); // the shortest that reads back as the same bits
 
-// What an error message shows of text that may be long.
-std::string shortened(std::string_view utf8);
-
 } // namespace clothlab::json

@@ -1,5 +1,7 @@
 #include "simcore/scene/object_reader.h"
 
+#include "simcore/scene/utf8.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -25,7 +27,27 @@ const char* describe(json::Type type) {
     return "";
 }
 
+std::optional<int> toInt(const std::optional<json::Value>& value) {
+    if (!value || value->type() != json::Type::Number)
+        return std::nullopt;
+    const double number = value->number();
+    if (number != std::floor(number) || std::abs(number) > std::numeric_limits<int>::max())
+        return std::nullopt;
+    return static_cast<int>(number);
+}
+
 } // namespace
+
+std::optional<GridPoint> toGridPoint(json::Value value) {
+    if (value.type() != json::Type::Array)
+        return std::nullopt;
+    json::Elements elements(value);
+    const std::optional<int> x = toInt(elements.next());
+    const std::optional<int> y = toInt(elements.next());
+    if (!x || !y || elements.next())
+        return std::nullopt;
+    return GridPoint{*x, *y};
+}
 
 ValueReader ValueReader::element(json::Value value, std::size_t index) const {
     return {value, m_place + "[" + std::to_string(index) + "]", m_report};
@@ -39,24 +61,27 @@ void ValueReader::warn(std::string message, std::string remedy) const {
     m_report.warn(m_place, std::move(message), std::move(remedy));
 }
 
-bool ValueReader::require(json::Type wantedType, const std::string& wanted) const {
+bool ValueReader::require(json::Type wantedType, std::string_view wanted) const {
     if (type() == wantedType)
         return true;
-    error(std::string("must be ") + describe(wantedType) + ", is " + describe(type()), "give " + wanted);
+    error(std::string("must be ") + describe(wantedType) + ", is " + describe(type()),
+          "give " + std::string(wanted));
     return false;
 }
 
-std::optional<double> ValueReader::number(const std::string& wanted) const {
+std::optional<double> ValueReader::number(std::string_view wanted) const {
     if (!require(json::Type::Number, wanted))
         return std::nullopt;
     return m_value.number();
 }
 
 std::optional<double> ValueReader::number(const Range& range) const {
-    const std::optional<double> result = number(range.words());
-    if (!result || range.contains(*result))
+    if (type() != json::Type::Number)
+        return number(range.words());
+    const double result = m_value.number();
+    if (range.contains(result))
         return result;
-    error(outOfRange(*result), writeWithin(range));
+    error(outOfRange(result), writeWithin(range));
     return std::nullopt;
 }
 
@@ -71,13 +96,13 @@ std::optional<bool> ValueReader::boolean() const {
     return m_value.boolean();
 }
 
-std::optional<std::string> ValueReader::string(const std::string& wanted) const {
+std::optional<std::string> ValueReader::string(std::string_view wanted) const {
     if (!require(json::Type::String, wanted))
         return std::nullopt;
     return m_value.string();
 }
 
-std::optional<std::vector<double>> ValueReader::numbers(std::size_t count, const std::string& wanted) const {
+std::optional<std::vector<double>> ValueReader::numbers(std::size_t count, std::string_view wanted) const {
     if (!require(json::Type::Array, wanted))
         return std::nullopt;
     std::vector<double> result;
@@ -87,31 +112,26 @@ std::optional<std::vector<double>> ValueReader::numbers(std::size_t count, const
         more = result.size() == count;
         if (more)
             break;
-        const auto component = element(*next, result.size()).number("a number");
-        if (!component)
+        if (next->type() != json::Type::Number) {
+            element(*next, result.size()).require(json::Type::Number, "a number");
             return std::nullopt;
-        result.push_back(*component);
+        }
+        result.push_back(next->number());
     }
     if (!more && result.size() == count)
         return result;
     error("must hold " + std::to_string(count) + " numbers, holds " +
               (more ? std::string("more") : std::to_string(result.size())),
-          "give " + wanted);
+          "give " + std::string(wanted));
     return std::nullopt;
 }
 
 std::optional<GridPoint> ValueReader::gridPoint() const {
-    const auto pair = numbers(2, "a point of the grid, like [0, 49]");
-    if (!pair)
-        return std::nullopt;
-    const auto isIndex = [](double v) {
-        return v == std::floor(v) && std::abs(v) <= std::numeric_limits<int>::max();
-    };
-    if (!isIndex((*pair)[0]) || !isIndex((*pair)[1])) {
+    if (const auto point = toGridPoint(m_value))
+        return point;
+    if (numbers(2, "a point of the grid, like [0, 49]"))
         error("is not a point of a grid", "give two whole numbers, like [0, 49]");
-        return std::nullopt;
-    }
-    return GridPoint{static_cast<int>((*pair)[0]), static_cast<int>((*pair)[1])};
+    return std::nullopt;
 }
 
 ObjectReader::ObjectReader(const ValueReader& object, Keys known, Report& report)
@@ -121,7 +141,7 @@ ObjectReader::ObjectReader(const ValueReader& object, Keys known, Report& report
 }
 
 std::string ObjectReader::placeOf(std::string_view key) const {
-    return (m_place.empty() ? "" : m_place + ".") + json::shortened(key);
+    return (m_place.empty() ? "" : m_place + ".") + shortened(key);
 }
 
 std::optional<ValueReader> ObjectReader::find(std::string_view key) const {
@@ -131,17 +151,17 @@ std::optional<ValueReader> ObjectReader::find(std::string_view key) const {
     return ValueReader(found->value, placeOf(key), m_report);
 }
 
-std::optional<ValueReader> ObjectReader::require(std::string_view key, const std::string& wanted) const {
+std::optional<ValueReader> ObjectReader::require(std::string_view key, std::string_view wanted) const {
     auto result = find(key);
     if (!result)
-        m_report.error(placeOf(key), "is missing", "give " + wanted);
+        m_report.error(placeOf(key), "is missing", "give " + std::string(wanted));
     return result;
 }
 
-std::optional<ValueReader> ObjectReader::expect(std::string_view key, const std::string& usedInstead) const {
+std::optional<ValueReader> ObjectReader::expect(std::string_view key, std::string_view usedInstead) const {
     auto result = find(key);
     if (!result)
-        m_report.warn(placeOf(key), "is missing, so it is " + usedInstead,
+        m_report.warn(placeOf(key), "is missing, so it is " + std::string(usedInstead),
                       "write it down, as the course's simulator asks for it");
     return result;
 }
@@ -156,7 +176,7 @@ void ObjectReader::readBoolean(std::string_view key, bool& target) const {
         target = value->boolean().value_or(target);
 }
 
-void ObjectReader::readVector(std::string_view key, const std::string& wanted, Vec3& target) const {
+void ObjectReader::readVector(std::string_view key, std::string_view wanted, Vec3& target) const {
     if (const auto value = require(key, wanted)) {
         if (const auto numbers = value->numbers(3, wanted))
             target = toVec3(*numbers);

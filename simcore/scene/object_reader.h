@@ -23,15 +23,15 @@ public:
     const std::string& place() const { return m_place; }
     ValueReader element(json::Value value, std::size_t index) const;
 
-    std::optional<double> number(const std::string& wanted) const;
+    std::optional<double> number(std::string_view wanted) const;
     std::optional<double> number(const Range& range) const;
     std::optional<bool> boolean() const; // 0 and 1 with a warning
-    std::optional<std::string> string(const std::string& wanted) const;
+    std::optional<std::string> string(std::string_view wanted) const;
     // Exactly `count` numbers, of any size.
-    std::optional<std::vector<double>> numbers(std::size_t count, const std::string& wanted) const;
-    std::optional<GridPoint> gridPoint() const; // of any grid
+    std::optional<std::vector<double>> numbers(std::size_t count, std::string_view wanted) const;
+    std::optional<GridPoint> gridPoint() const; // as toGridPoint()
 
-    bool require(json::Type type, const std::string& wanted) const;
+    bool require(json::Type type, std::string_view wanted) const;
     void error(std::string message, std::string remedy) const;
     void warn(std::string message, std::string remedy) const;
 
@@ -48,14 +48,14 @@ public:
 
     std::optional<ValueReader> find(std::string_view key) const;
     // As find(); a missing key is an error.
-    std::optional<ValueReader> require(std::string_view key, const std::string& wanted) const;
+    std::optional<ValueReader> require(std::string_view key, std::string_view wanted) const;
     // As find(); a missing key is a warning that says which value it has now.
-    std::optional<ValueReader> expect(std::string_view key, const std::string& usedInstead) const;
+    std::optional<ValueReader> expect(std::string_view key, std::string_view usedInstead) const;
 
     // Into target, where the key is there and right.
     void readNumber(std::string_view key, const Range& range, double& target) const;
     void readBoolean(std::string_view key, bool& target) const;
-    void readVector(std::string_view key, const std::string& wanted, Vec3& target) const;
+    void readVector(std::string_view key, std::string_view wanted, Vec3& target) const;
 
     // Warns about each key that is not known and returns them as the text of an object; empty if there are
     // none.
@@ -69,6 +69,9 @@ private:
     Keys m_known;
     Report& m_report;
 };
+
+// Two whole numbers in a list; nothing, and no words, if the value is anything else.
+std::optional<GridPoint> toGridPoint(json::Value value);
 
 // A vector from three numbers that were read.
 Vec3 toVec3(const std::vector<double>& numbers);

@@ -22,7 +22,7 @@ struct Parameter {
     double sliderMinimum; // the usual range, in the file's unit
     double sliderMaximum;
     bool logarithmic;   // of the slider
-    double panelFactor; // value in panels = value in the file * panelFactor
+    double panelDivisor; // value in panels = value in the file / panelDivisor
     double (*get)(const Scene&);
     void (*set)(Scene&, double); // precondition: minimum <= value <= maximum
 

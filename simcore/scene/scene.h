@@ -5,6 +5,7 @@
 
 #include <array>
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -106,7 +107,8 @@ struct Scene {
     friend bool operator==(const Scene&, const Scene&) = default;
 };
 
-inline constexpr int kMaxPoints = 1 << 22; // of one sheet: 2048 × 2048
+inline constexpr int kMaxPoints = 1 << 22;           // of one sheet: 2048 × 2048
+inline constexpr std::size_t kMaxColliders = 10'000; // spheres, and as many planes
 
 // What an edit touches. A start edit changes the sheet's rest shape or where it starts, so a run begins
 // anew; a motion edit changes how a running sheet goes on; the rest changes only the picture.

@@ -47,7 +47,8 @@ private:
         json::Elements elements(value.value());
         std::size_t index = 0;
         while (const auto next = elements.next()) {
-            if (m_report.full())
+            // One too many is read, for the checks to find.
+            if (m_report.full() || index > kMaxColliders)
                 return;
             read(value.element(*next, index++));
         }
@@ -124,7 +125,9 @@ void SceneReader::readPinned(const ValueReader& value) {
     json::Elements elements(value.value());
     auto& pinned = m_scene.cloth.pinned;
     while (const auto next = elements.next()) {
-        const auto point = value.element(*next, pinned.size()).gridPoint();
+        auto point = toGridPoint(*next); // without words at first: there may be millions
+        if (!point)
+            point = value.element(*next, pinned.size()).gridPoint();
         if (!point) // the others are likely wrong in the same way
             return;
         pinned.push_back(*point);
@@ -137,7 +140,7 @@ void SceneReader::readSphere(const ValueReader& value) {
     if (value.type() != json::Type::Object)
         return;
     object.readVector("origin", "the centre as [x, y, z] in metres", sphere.origin);
-    if (const auto radius = object.require("radius", kLength.words() + ", in metres"))
+    if (const auto radius = object.require("radius", "a number above 0, in metres"))
         sphere.radius = radius->number(kLength).value_or(sphere.radius);
     if (const auto friction = object.expect("friction", json::numberText(sphere.friction)))
         sphere.friction = friction->number(kShare).value_or(sphere.friction);

@@ -4,6 +4,7 @@
 #include "simcore/scene/range.h"
 #include "simcore/scene/scene_checks.h"
 #include "simcore/scene/scene_io.h"
+#include "simcore/scene/utf8.h"
 
 #include <limits>
 
@@ -57,7 +58,15 @@ void checkPointCount(const Cloth& cloth, Report& report) {
                      "give fewer points");
 }
 
+void checkCount(std::size_t count, const char* place, Report& report) {
+    if (count > kMaxColliders)
+        report.error(place, "are more than the " + std::to_string(kMaxColliders) + " that a scene may have",
+                     "remove some of them");
+}
+
 void checkColliders(const Scene& scene, Report& report) {
+    checkCount(scene.spheres.size(), "sphere", report);
+    checkCount(scene.planes.size(), "plane", report);
     for (std::size_t i = 0; i < scene.spheres.size() && !report.full(); ++i) {
         const Sphere& sphere = scene.spheres[i];
         const std::string place = placeIn("sphere", i, scene.spheres.size());
@@ -84,7 +93,7 @@ void checkAppearance(const Appearance& appearance, Report& report) {
         check(appearance.color[i], kShare, "appearance.color[" + std::to_string(i) + "]", report);
     const std::string& name = appearance.shader;
     const bool isPath = name.find_first_of("/\\") != std::string::npos || name == "." || name == "..";
-    if (name.empty() || name.size() > kLongestName || isPath || !json::isUtf8(name))
+    if (name.empty() || name.size() > kLongestName || isPath || !isUtf8(name))
         report.error("appearance.shader", "is not the name of a shader",
                      "give a name like \"Phong\", without / or \\");
 }
@@ -109,7 +118,8 @@ void checkUnknownKeys(const std::string& text, const std::string& place, Keys kn
     }
     for (const json::Member& member : json::members(json::parse(text))) {
         if (isKnown(member.key, known))
-            report.error(place + "." + member.key, "is a known key among the unknown ones", kRemedy);
+            report.error(place + (place.empty() ? "" : ".") + member.key,
+                         "is a known key among the unknown ones", kRemedy);
     }
 }
 

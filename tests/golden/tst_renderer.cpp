@@ -136,16 +136,19 @@ private slots:
     void normalShaderShowsDirections();
     void phongIsBrighterInTheLightAndNeverBlownOut();
     void attributesOfTheCourse();
+    void attributesWithTheirFourthComponent();
     void springTogglesChangeThePicture();
     void springsLieOverTheSurface();
     void springsAreAsWideAsTheScale();
     void sphereIsDrawnSmaller();
     void planeIsDrawnFromBothSides();
     void pinnedAndHighlightedShowThroughFaintly();
+    void pinnedIndicesOutOfRangeAreLeftOut();
     void axesAndGridCanBeSwitchedOff();
     void listsShadersOnly();
     void brokenShaderKeepsDrawing();
     void editedShaderIsReadAgain();
+    void directoryCanChange();
     void shaderWithItsOwnVertexShader();
     void directoryWithoutAnyShader();
     void survivesALostContext();
@@ -305,6 +308,28 @@ void RendererTest::attributesOfTheCourse() {
     }
 }
 
+// A vertex shader of its own sees what the course's simulator gives it: directions with w = 0, positions
+// with 1.
+void RendererTest::attributesWithTheirFourthComponent() {
+    QTemporaryDir directory;
+    QVERIFY(write(directory.filePath(QStringLiteral("Raw.vert")),
+                  "#version 330\nuniform mat4 u_model; uniform mat4 u_view_projection;\n"
+                  "in vec4 in_position; in vec4 in_normal; in vec4 in_tangent; flat out vec4 v_color;\n"
+                  "void main() {\n  gl_Position = u_view_projection * u_model * in_position;\n"
+                  "  v_color = vec4(in_position.w, in_normal.w, in_tangent.w, 1.0);\n}\n"));
+    QVERIFY(write(
+        directory.filePath(QStringLiteral("Raw.frag")),
+        "#version 330\nflat in vec4 v_color; out vec4 out_color;\nvoid main() { out_color = v_color; }\n"));
+    m_renderer->setShaderDirectory(directory.path());
+    RenderFrame frame = flatFrame(10);
+    frame.shader = QStringLiteral("Raw");
+    frame.spheres = {{QVector3D(0.5F, 0.6F, 0.5F), 0.3F}};
+    const QImage image = m_canvas->draw(*m_renderer, frame);
+    QVERIFY2(m_renderer->messages().isEmpty(), qPrintable(m_renderer->messages().join(u'\n')));
+    for (const QVector3D place : {QVector3D(0.05F, 0.5F, 0.5F), QVector3D(0.5F, 0.85F, 0.5F)})
+        QCOMPARE(image.pixel(toPixel(frame, place)), qRgb(255, 0, 0));
+}
+
 void RendererTest::springTogglesChangeThePicture() {
     RenderFrame frame = flatFrame(6);
     frame.shader = QStringLiteral("Wireframe");
@@ -415,6 +440,16 @@ void RendererTest::pinnedAndHighlightedShowThroughFaintly() {
                    3));
 }
 
+// Drivers that guard reads past a buffer make zeros of them: a dot at the origin.
+void RendererTest::pinnedIndicesOutOfRangeAreLeftOut() {
+    RenderFrame frame = flatFrame(5);
+    for (std::size_t i = 1; i < frame.sheet.positions.size(); i += 3)
+        frame.sheet.positions[i] = -1; // out of the way of the origin
+    const QImage without = m_canvas->draw(*m_renderer, frame);
+    frame.sheet.pinned = {25, 4'000'000, 0xFFFFFFFF};
+    QCOMPARE(m_canvas->draw(*m_renderer, frame), without);
+}
+
 void RendererTest::axesAndGridCanBeSwitchedOff() {
     RenderFrame frame = flatFrame(4);
     frame.sheet = SheetShape();
@@ -500,6 +535,21 @@ void RendererTest::editedShaderIsReadAgain() {
     m_renderer->reloadShaders();
     QVERIFY(isNear(m_canvas->draw(*m_renderer, frame).pixel(middle), qRgb(0, 0, 255), 0));
     QVERIFY(m_renderer->messages().first().startsWith(QStringLiteral("Mine.frag:3: ")));
+}
+
+void RendererTest::directoryCanChange() {
+    QTemporaryDir red;
+    QTemporaryDir blue;
+    QVERIFY(write(red.filePath(QStringLiteral("Mine.frag")), kRedShader));
+    QVERIFY(write(blue.filePath(QStringLiteral("Mine.frag")),
+                  QByteArray(kRedShader).replace("1, 0, 0", "0, 0, 1")));
+    RenderFrame frame = flatFrame(5);
+    frame.shader = QStringLiteral("Mine");
+    const QPoint middle = toPixel(frame, QVector3D(0.4F, 0.5F, 0.4F));
+    m_renderer->setShaderDirectory(red.path());
+    QVERIFY(isNear(m_canvas->draw(*m_renderer, frame).pixel(middle), qRgb(255, 0, 0), 0));
+    m_renderer->setShaderDirectory(blue.path());
+    QVERIFY(isNear(m_canvas->draw(*m_renderer, frame).pixel(middle), qRgb(0, 0, 255), 0));
 }
 
 void RendererTest::shaderWithItsOwnVertexShader() {

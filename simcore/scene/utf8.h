@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace clothlab {
+
+// Where text stops being UTF-8 (Unicode 15, table 3-7) without zero bytes; its size if it does not.
+std::size_t firstNotUtf8(std::string_view text);
+inline bool isUtf8(std::string_view text) {
+    return firstNotUtf8(text) == text.size();
+}
+
+// Each of these for UTF-8.
+std::size_t characterCount(std::string_view text);
+std::string shortened(std::string_view text); // what a message shows of text that may be long
+
+} // namespace clothlab
