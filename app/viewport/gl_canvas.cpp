@@ -15,6 +15,8 @@ GlCanvas::GlCanvas(std::function<const render::RenderFrame&()> frame, QWidget* p
 }
 
 GlCanvas::~GlCanvas() {
+    // The context goes after the renderer; it must not call back then.
+    disconnect(m_contextConnection);
     releaseGl();
 }
 

@@ -77,13 +77,11 @@ QRect ValueSlider::handleRect() const {
     return style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, this);
 }
 
-void ValueSlider::dragTo(int x) {
-    const int length = handleRect().width();
-    const int position =
-        QStyle::sliderValueFromPosition(0, kPositions, x - m_grip - length / 2, width() - length);
-    if (position != value()) {
-        QSlider::setValue(position);
-        emit dragged(valueAt(position));
+void ValueSlider::moveTo(int position) {
+    const int bounded = std::clamp(position, 0, kPositions);
+    if (bounded != value()) {
+        QSlider::setValue(bounded);
+        emit dragged(valueAt(bounded));
     }
 }
 
@@ -92,21 +90,25 @@ void ValueSlider::mousePressEvent(QMouseEvent* event) {
         event->ignore();
         return;
     }
-    const int x = event->position().toPoint().x();
+    m_pressX = event->position().toPoint().x();
     const QRect handle = handleRect();
-    const bool onHandle = x >= handle.left() && x <= handle.right();
-    m_grip = onHandle ? x - handle.center().x() : 0;
     setSliderDown(true);
     emit dragStarted();
-    if (!onHandle) {
-        dragTo(x);
+    if (m_pressX < handle.left() || m_pressX > handle.right()) {
+        const int length = handle.width();
+        moveTo(QStyle::sliderValueFromPosition(0, kPositions, m_pressX - length / 2, width() - length));
     }
+    m_pressPosition = value();
     event->accept();
 }
 
+// Counted from where the handle was taken: a handle that is held still keeps its value, which may lie
+// between two pixels.
 void ValueSlider::mouseMoveEvent(QMouseEvent* event) {
-    if (isSliderDown()) {
-        dragTo(event->position().toPoint().x());
+    const int length = width() - handleRect().width();
+    if (isSliderDown() && length > 0) {
+        const double moved = (event->position().x() - m_pressX) / length;
+        moveTo(m_pressPosition + int(std::lround(moved * kPositions)));
     }
     event->accept();
 }

@@ -37,13 +37,14 @@ protected:
 
 private:
     QRect handleRect() const;
-    void dragTo(int x);
+    void moveTo(int position);
 
     double m_minimum = 0;
     double m_maximum = 1;
     bool m_logarithmic = false;
     bool m_integer = false;
-    int m_grip = 0; // where the handle was taken, from its middle
+    int m_pressX = 0; // where the handle was taken, and its position then
+    int m_pressPosition = 0;
 };
 
 } // namespace clothlab

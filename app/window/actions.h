@@ -60,8 +60,8 @@ public:
     void showPlaying(bool playing);
 
 private:
-    QAction* add(const char* name, const QString& text, const QString& icon, const QList<QKeySequence>& shortcuts,
-                 const QString& tip);
+    QAction* add(const char* name, const QString& text, const QString& icon,
+                 const QList<QKeySequence>& shortcuts, const QString& tip);
     void addFileActions();
     void addSimulationActions();
     void addViewActions();
