@@ -128,7 +128,7 @@ CameraView homeView(const Cloth& cloth) {
                             : Vec3(cloth.width / 2, cloth.height / 2, 0);
     CameraView view;
     view.target = {centre.x(), centre.y() / 2, centre.z()};
-    view.distance = std::clamp(1.8 * std::max(cloth.width, cloth.height), 0.1, kFarthest);
+    view.distance = std::clamp(2.6 * std::max(cloth.width, cloth.height), 0.1, kFarthest);
     view.azimuth = 30;
     view.elevation = 18;
     return view;

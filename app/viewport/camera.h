@@ -51,8 +51,9 @@ public:
     void frame(const QVector3D& centre, double radius); // keeps the direction
 };
 
-// Where the course looks at: the sheet's centre at half its height, from 1.8 times its longer side; a
-// little from above and from the side, so that a flat sheet can be seen.
+// Where the course looks at: the sheet's centre at half its height. A little from above and from the side, so
+// that a flat sheet can be seen, and from 2.6 instead of 1.8 times its longer side, so that a hanging one
+// fits.
 CameraView homeView(const Cloth& cloth);
 
 } // namespace clothlab

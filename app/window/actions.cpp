@@ -24,12 +24,12 @@ QAction* Actions::add(const char* name, const QString& text, const QString& icon
     QStringList names;
     for (const QKeySequence& key : shortcuts)
         names << key.toString(QKeySequence::NativeText);
-    action->setToolTip(shortcuts.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, names.join(tr(" or "))));
+    action->setToolTip(shortcuts.isEmpty() ? tip
+                                           : QStringLiteral("%1 (%2)").arg(tip, names.join(tr(" or "))));
     action->setStatusTip(tip);
     // Works wherever the focus is, floating docks included.
     action->setShortcutContext(Qt::ApplicationShortcut);
     m_window.addAction(action);
-    m_all << action;
     return action;
 }
 

@@ -53,22 +53,18 @@ public:
     QAction* keys;
     QAction* about;
 
-    // Those that have keys, in the order of the menus.
-    const QList<QAction*>& all() const { return m_all; }
-
     // The icon and name of playPause.
     void showPlaying(bool playing);
 
 private:
-    QAction* add(const char* name, const QString& text, const QString& icon, const QList<QKeySequence>& shortcuts,
-                 const QString& tip);
+    QAction* add(const char* name, const QString& text, const QString& icon,
+                 const QList<QKeySequence>& shortcuts, const QString& tip);
     void addFileActions();
     void addSimulationActions();
     void addViewActions();
     void addOtherActions();
 
     QWidget& m_window;
-    QList<QAction*> m_all;
 };
 
 } // namespace clothlab

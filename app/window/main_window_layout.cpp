@@ -70,6 +70,7 @@ QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWid
     } else {
         dockWidget->setWidget(panel);
     }
+    panel->setAttribute(Qt::WA_StyledBackground); // the theme's, which plain widgets do not paint
     addDockWidget(area, dockWidget);
     return dockWidget;
 }

@@ -106,7 +106,7 @@ private:
         return true;
     }
 
-    void skipSpace() { m_at = std::min(m_text.find_first_not_of(kSpace, m_at), m_text.size()); }
+    void skipSpace() { m_at = json::skipSpace(m_text, m_at); }
 
     bool value() {
         skipSpace();
@@ -227,7 +227,7 @@ private:
     }
 
     bool word() {
-        const std::size_t end = std::min(m_text.find_first_of(kEndOfWord, m_at), m_text.size());
+        const std::size_t end = skipWord(m_text, m_at);
         const std::string_view text = m_text.substr(m_at, end - m_at);
         if (text == "true" || text == "false" || text == "null" || isNumber(text)) {
             if (isTooLarge(text))
@@ -284,7 +284,7 @@ std::optional<Diagnostic> checkJson(std::string_view text) {
     const std::size_t offset = firstNotUtf8(text);
     if (offset < text.size())
         return describeEncoding(text, offset);
-    if (text.find_first_not_of(kSpace) == std::string_view::npos)
+    if (skipSpace(text, 0) == text.size())
         return error("", "is empty", "check that it is the right file, or save the scene again");
     return Checker(text).check();
 }

@@ -1,5 +1,6 @@
 #include "simcore/scene/json_syntax_error.h"
 
+#include "simcore/scene/json_text.h"
 #include "simcore/scene/utf8.h"
 
 #include <algorithm>
@@ -18,19 +19,19 @@ Diagnostic error(std::string_view text, std::size_t offset, Words words) {
 
 // The word, mark or string that starts at offset, as a message shows it.
 std::string tokenAt(std::string_view text, std::size_t offset) {
-    const bool isMark = kEndOfWord.find(text[offset]) != std::string_view::npos && text[offset] != '"';
+    const bool isMark = endsWord(text[offset]);
     std::size_t end = offset + 1;
     if (text[offset] == '"')
         end = std::min(text.find_first_of("\"\n", end), text.size() - 1) + 1;
     else if (!isMark)
-        end = std::min(text.find_first_of(kEndOfWord, offset), text.size());
+        end = skipWord(text, offset);
     return shortened(text.substr(offset, end - offset));
 }
 
 // The last mark before a place; 0 if there is none.
 char markBefore(std::string_view text, std::size_t offset) {
     const std::size_t before =
-        offset == 0 ? std::string_view::npos : text.find_last_not_of(kSpace, offset - 1);
+        offset == 0 ? std::string_view::npos : text.find_last_not_of(" \t\r\n", offset - 1);
     return before == std::string_view::npos ? '\0' : text[before];
 }
 
@@ -61,7 +62,7 @@ Words describeMissingValue(const std::string& token, char before) {
     const char first = token.front();
     if ((first == ']' || first == '}') && before == ',')
         return {"a comma stands before " + token, "remove the comma"};
-    if (kEndOfWord.find(first) != std::string_view::npos)
+    if (endsWord(first))
         return {"a value is missing before " + token, "write the value, or remove what announces it"};
     return describeStranger(token);
 }

@@ -8,9 +8,6 @@
 
 namespace clothlab::json {
 
-inline constexpr std::string_view kSpace = " \t\r\n";
-inline constexpr std::string_view kEndOfWord = " \t\r\n,:[]{}\"";
-
 enum class Expected { Value, Key, Colon, CommaOrBrace, CommaOrBracket, End };
 
 Diagnostic describeUnexpected(std::string_view text, std::size_t offset, Expected expected);

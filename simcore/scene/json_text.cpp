@@ -9,11 +9,8 @@
 namespace clothlab::json {
 namespace {
 
-constexpr std::string_view kSpace = " \t\r\n";
-
 std::string_view trimmed(std::string_view text) {
-    const std::size_t begin = text.find_first_not_of(kSpace);
-    return begin == std::string_view::npos ? std::string_view{} : text.substr(begin);
+    return text.substr(skipSpace(text, 0));
 }
 
 // Where the string that text starts with ends, quotes included.
@@ -51,7 +48,7 @@ Value take(std::string_view& text) {
         length = nestedLength(text);
         break;
     default:
-        length = std::min(text.find_first_of(",:]} \t\r\n"), text.size());
+        length = skipWord(text, 0);
     }
     const Value value{text.substr(0, length)};
     text = trimmed(text.substr(length));
@@ -70,7 +67,7 @@ std::string respaced(std::string_view text, bool spaces) {
     for (std::size_t at = 0; at < text.size();) {
         const char c = text[at];
         const std::size_t length = c == '"' ? stringLength(text.substr(at)) : 1;
-        if (kSpace.find(c) == std::string_view::npos)
+        if (!isSpace(c))
             result += text.substr(at, length);
         if (spaces && (c == ',' || c == ':'))
             result += ' ';
@@ -80,6 +77,18 @@ std::string respaced(std::string_view text, bool spaces) {
 }
 
 } // namespace
+
+std::size_t skipSpace(std::string_view text, std::size_t at) {
+    while (at < text.size() && isSpace(text[at]))
+        ++at;
+    return at;
+}
+
+std::size_t skipWord(std::string_view text, std::size_t at) {
+    while (at < text.size() && !endsWord(text[at]))
+        ++at;
+    return at;
+}
 
 Type Value::type() const {
     switch (text.front()) {

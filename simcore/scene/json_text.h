@@ -2,12 +2,24 @@
 // its own size, and what this version does not know is kept to the letter: 1.50 stays 1.50.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace clothlab::json {
+
+constexpr bool isSpace(char c) {
+    return c == ' ' || c == '\n' || c == '\t' || c == '\r';
+}
+// Whether c cannot be part of a number or of true, false and null.
+constexpr bool endsWord(char c) {
+    return isSpace(c) || c == ',' || c == ':' || c == '[' || c == ']' || c == '{' || c == '}' || c == '"';
+}
+// Where the space at a place of text ends, and where the word there does.
+std::size_t skipSpace(std::string_view text, std::size_t at);
+std::size_t skipWord(std::string_view text, std::size_t at);
 
 enum class Type { Null, Boolean, Number, String, Array, Object };
 

@@ -54,12 +54,13 @@ std::size_t characterCount(std::string_view text) {
 
 std::string shortened(std::string_view text) {
     constexpr std::size_t kLength = 40;
-    if (text.size() <= kLength)
-        return std::string(text);
-    std::size_t end = kLength;
-    while (end > 0 && continues(text[end]))
+    std::size_t end = std::min(text.size(), kLength);
+    while (end > 0 && end < text.size() && continues(text[end]))
         --end;
-    return std::string(text.substr(0, end)) + "…";
+    std::string result(text.substr(0, end));
+    std::replace_if(
+        result.begin(), result.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, ' ');
+    return end < text.size() ? result + "…" : result;
 }
 
 } // namespace clothlab

@@ -14,6 +14,7 @@ inline bool isUtf8(std::string_view text) {
 
 // Each of these for UTF-8.
 std::size_t characterCount(std::string_view text);
-std::string shortened(std::string_view text); // what a message shows of text that may be long
+// What a message shows, on one line, of text that may be long.
+std::string shortened(std::string_view text);
 
 } // namespace clothlab

@@ -2,7 +2,7 @@
 #include "simcore/scene/scene_io.h"
 #include "simcore/solver/verlet_solver.h"
 #include "tests/support/oracle_run.h"
-#include "tests/support/random_scene.h"
+#include "tests/support/random_run.h"
 #include "tests/support/states.h"
 
 #include <QtTest>
@@ -16,7 +16,7 @@ constexpr double kTolerance = 1e-9;        // m, after a run
 constexpr double kStepTolerance = 1e-14;   // m, in one step
 constexpr double kPredictable = 1e-12;     // m
 constexpr int kLeastPredictableSteps = 80; // of a scene that loses its predictability
-constexpr int kRandomScenes = 12;
+constexpr int kRandomRuns = 12;
 
 Start courseScene(const QString& file) {
     const SceneReading reading = loadScene(CLOTHLAB_SOURCE_DIR "/scenes/" + file.toStdString());
@@ -72,9 +72,9 @@ private slots:
     void courseSceneThrown();
     void courseSceneFolded_data() { courseFiles(); }
     void courseSceneFolded();
-    void randomScenes_data();
-    void randomScenes();
-    void randomScenesAreValidAndRepeatable();
+    void randomRuns_data();
+    void randomRuns();
+    void randomRunsAreValidAndRepeatable();
 
 private:
     void courseFiles() {
@@ -133,15 +133,15 @@ void TestOracle::courseSceneFolded() {
     QVERIFY(run.counts.selfCollisions > 0);
 }
 
-void TestOracle::randomScenes_data() {
+void TestOracle::randomRuns_data() {
     QTest::addColumn<quint64>("seed");
-    for (quint64 seed = 0; seed < kRandomScenes; ++seed)
-        QTest::addRow("%s, seed %d", name(randomScene(seed).trial).data(), int(seed)) << seed;
+    for (quint64 seed = 0; seed < kRandomRuns; ++seed)
+        QTest::addRow("%s, seed %d", name(randomRun(seed).trial).data(), int(seed)) << seed;
 }
 
-void TestOracle::randomScenes() {
+void TestOracle::randomRuns() {
     QFETCH(quint64, seed);
-    const RandomScene made = randomScene(seed);
+    const RandomRun made = randomRun(seed);
     const Start start{made.scene, made.start};
     const OracleRun run = runBeside(start, kSteps);
     const std::string text = made.describe() + ": " + run.describe();
@@ -154,11 +154,11 @@ void TestOracle::randomScenes() {
     QVERIFY2(made.trial != Trial::Thrown || run.counts.strainLimits > 0, text.c_str());
 }
 
-void TestOracle::randomScenesAreValidAndRepeatable() {
+void TestOracle::randomRunsAreValidAndRepeatable() {
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
-        const RandomScene made = randomScene(seed);
+        const RandomRun made = randomRun(seed);
         QVERIFY2(!hasErrors(validate(made.scene)), made.describe().c_str());
-        const RandomScene again = randomScene(seed);
+        const RandomRun again = randomRun(seed);
         QVERIFY2(made.scene == again.scene && made.start == again.start, made.describe().c_str());
     }
 }

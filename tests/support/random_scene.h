@@ -1,29 +1,16 @@
-// Random valid scenes, each with a state to start from, the same for a seed on every platform.
 #pragma once
 
-#include "simcore/cloth/cloth_state.h"
+#include "simcore/scene/scene.h"
 
-#include <cstdint>
-#include <string>
+#include <random>
 
-namespace clothlab {
+namespace clothlab::test {
 
-// What of the model a scene is made to exercise.
-enum class Trial { Hanging, OnSphere, OnPlane, Folded, Thrown };
-inline constexpr int kTrials = 5;
-std::string_view name(Trial trial);
+// A valid scene with values at, near and between the ends of their ranges, several colliders, and unknown
+// keys at every level. The same seed gives the same scene.
+Scene randomScene(std::uint32_t seed);
 
-struct RandomScene {
-    std::uint64_t seed = 0;
-    Trial trial = Trial::Hanging;
-    Scene scene;
-    ClothState start;
+// Text of a JSON object without space: of unknown keys only, nested a few levels.
+std::string randomObjectText(std::mt19937& random, int levels);
 
-    std::string describe() const; // seed and what it made, for a failure's message
-};
-
-// The trials take turns with the seed: seed % kTrials. Contact, folding or stretching happens within 300
-// steps, and the stiffness is well within what the time step allows.
-RandomScene randomScene(std::uint64_t seed);
-
-} // namespace clothlab
+} // namespace clothlab::test

@@ -1,6 +1,6 @@
 // What the solver does with its inputs: phases, pins, forces, parameters of a running sheet, repeatability.
 #include "simcore/solver/verlet_solver.h"
-#include "tests/support/random_scene.h"
+#include "tests/support/random_run.h"
 #include "tests/support/states.h"
 
 #include <QtTest>
@@ -69,7 +69,7 @@ void TestStep::phasesComeInOrder() {
 }
 
 void TestStep::watchingChangesNothing() {
-    const RandomScene made = randomScene(3);
+    const RandomRun made = randomRun(3);
     VerletSolver watched(made.scene);
     VerletSolver unwatched(made.scene);
     ClothState state = made.start;
@@ -99,7 +99,7 @@ void TestStep::pinnedPointsNeverMove() {
 }
 
 void TestStep::lastPositionIsTheOneBefore() {
-    const RandomScene made = randomScene(8);
+    const RandomRun made = randomRun(8);
     VerletSolver solver(made.scene);
     ClothState state = made.start;
     for (int n = 0; n < 20; ++n) {
@@ -140,7 +140,7 @@ void TestStep::forceOfOneStretchedSpring() {
 
 void TestStep::forcesCancelExceptTheWeight() {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
-        const RandomScene made = randomScene(seed);
+        const RandomRun made = randomRun(seed);
         VerletSolver solver(made.scene);
         PointArray position = made.start.position;
         for (int i = 0; i < int(position.size()); ++i)
@@ -160,7 +160,7 @@ void TestStep::forcesCancelExceptTheWeight() {
 }
 
 void TestStep::forcesAreClearedEachTime() {
-    const RandomScene made = randomScene(4);
+    const RandomRun made = randomRun(4);
     VerletSolver solver(made.scene);
     PointArray first(made.start.size());
     PointArray second(made.start.size());
@@ -184,7 +184,7 @@ void TestStep::forcesOfSwitchedOffTypes() {
 }
 
 void TestStep::sameSceneSameBits() {
-    const RandomScene made = randomScene(13);
+    const RandomRun made = randomRun(13);
     VerletSolver one(made.scene);
     VerletSolver other(made.scene);
     const ClothState a = after(one, made.start, 100);
@@ -194,7 +194,7 @@ void TestStep::sameSceneSameBits() {
 }
 
 void TestStep::solverKeepsNothingOfAState() {
-    const RandomScene made = randomScene(3);
+    const RandomRun made = randomRun(3);
     VerletSolver used(made.scene);
     ClothState other = used.start();
     throwSheet(made.scene, other, Vec3(0, -3, 1));

@@ -1,0 +1,52 @@
+#include "tests/support/scene_text.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+namespace clothlab::test {
+
+Json courseScene() {
+    return Json::parse(R"({
+        "cloth": {"damping": 0.2, "density": 150, "ks": 5000, "enable_structural": true, "enable_shearing": true,
+                  "enable_bending": true, "orientation": 0, "width": 1, "height": 1, "num_width_points": 50,
+                  "num_height_points": 50, "thickness": 0.0095, "pinned": [[0, 0], [49, 0]]},
+        "sphere": {"origin": [0.5, 0.2, 0.5], "radius": 0.2, "friction": 0.3},
+        "plane": {"point": [0, 0, 0], "normal": [0, 1, 0], "friction": 0.5}})");
+}
+
+Json everyKeyScene() {
+    Json scene = courseScene();
+    scene["simulation"] = Json::parse(
+        R"({"gravity": [0, -1.62, 0], "frames_per_second": 60, "steps_per_frame": 40, "seed": 7})");
+    scene["appearance"] = Json::parse(R"({"shader": "Mirror", "color": [0.1, 0.2, 0.3],
+        "springs_drawn": {"structural": true, "shearing": false, "bending": true}, "springs_over_surface": true})");
+    scene["camera"] =
+        Json::parse(R"({"target": [0.5, 0.5, 0.5], "distance": 3, "azimuth": 30, "elevation": 20})");
+    return scene;
+}
+
+std::string toText(const Diagnostics& diagnostics) {
+    std::string text;
+    for (const Diagnostic& d : diagnostics)
+        text += (d.severity == Severity::Error ? "error: " : "warning: ") + clothlab::toText(d, "") + "\n";
+    return text;
+}
+
+const Diagnostic* find(const Diagnostics& diagnostics, Severity severity, const std::string& place) {
+    const auto found = std::find_if(diagnostics.begin(), diagnostics.end(), [&](const Diagnostic& d) {
+        return d.severity == severity && d.place == place;
+    });
+    return found == diagnostics.end() ? nullptr : &*found;
+}
+
+std::string scenePath(const std::string& name) {
+    return CLOTHLAB_SOURCE_DIR "/scenes/" + name;
+}
+
+std::string readText(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+} // namespace clothlab::test
