@@ -34,6 +34,7 @@ private slots:
     void absurdStiffnessIsReported();
     void notANumberIsReported_data();
     void notANumberIsReported();
+    void thrownOutByAColliderIsReported();
     void coincidentPointsAreFine();
     void frameTakesItsSteps();
     void frameStopsOnTheFlag();
@@ -115,6 +116,18 @@ void TestBlowUp::notANumberIsReported() {
         QVERIFY(result.blowUp.has_value());
         QVERIFY(isPlace(*result.blowUp, state));
     }
+}
+
+// The phases after the second move points too: here a sphere far larger than the sheet that is inside it.
+void TestBlowUp::thrownOutByAColliderIsReported() {
+    Scene scene = hangingScene(5000);
+    scene.spheres.push_back({Vec3(0.5, 0, 0.5), 1e4, 0, {}});
+    VerletSolver solver(scene);
+    ClothState state = solver.start();
+    const StepResult result = solver.step(state);
+    QVERIFY(result.blowUp.has_value());
+    QVERIFY(result.blowUp->phase > Phase::SelfCollision);
+    QVERIFY(!solver.pinned()[std::size_t(result.blowUp->point)]);
 }
 
 void TestBlowUp::coincidentPointsAreFine() {
