@@ -423,6 +423,7 @@ void TestBadScenes::textThatIsNotJson_data() {
     row("two scenes", "{} {}", "line 1, column 4", "more text after the end");
     row("only a bracket", "}", "line 1, column 1", "a value is missing before }");
     row("string over a line", "{\"cl\noth\": 1}", "line 1, column 2", "goes over the end of its line");
+    row("last control character", "{\"cl\x1Foth\": 1}", "line 1, column 2", "control character");
     row("control character", "{\"cl\x01oth\": 1}", "line 1, column 2", "control character");
     row("unknown escape", "{\"cl\\qoth\": 1}", "line 1, column 5", "starts no character");
     row("short \\u", "{\"cl\\u12\": 1}", "line 1, column 5", "starts no character");
