@@ -240,6 +240,8 @@ private slots:
         worker.request({1, scene, startFrame(scene), 1});
         handOver.unlock();
         QCOMPARE(outbox.take().value_or(FrameOutcome{}).ticket, 1U);
+        letOthersRun(scene); // time for the second to be computed, too
+        QCOMPARE(outbox.size(), 0U);
         // cancel() says nothing of requests after it.
         worker.request({3, scene, startFrame(scene), 1});
         QCOMPARE(outbox.take().value_or(FrameOutcome{}).ticket, 3U);
