@@ -41,6 +41,7 @@ AppearancePanel::AppearancePanel(Document& document, const QStringList& shaders,
     layout->addRow(tr("Shader"), m_shader);
 
     m_color->setObjectName("sheetColor");
+    m_color->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     m_color->setAccessibleName(tr("Colour of the sheet"));
     m_color->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_color->setToolTip(tr("Colour of the sheet, u_color of the shaders."));

@@ -55,6 +55,8 @@ InspectorPanel::InspectorPanel(Document& document, Simulation& simulation, QWidg
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setMinimumSectionSize(fontMetrics().height());
+    m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 4);
     m_table->setAlternatingRowColors(true);
     m_table->setShowGrid(false);
     m_table->setToolTip(tr("Double-click a row to select it."));
@@ -65,6 +67,7 @@ InspectorPanel::InspectorPanel(Document& document, Simulation& simulation, QWidg
     connect(&document, &Document::selectionChanged, this, &InspectorPanel::refresh);
     connect(&document, &Document::sceneChanged, this, &InspectorPanel::refresh);
     connect(&simulation, &Simulation::frameShown, this, &InspectorPanel::refresh);
+    connect(&simulation, &Simulation::recordingChanged, this, &InspectorPanel::refresh);
     refresh();
 }
 
@@ -97,7 +100,7 @@ void InspectorPanel::refresh() {
 }
 
 void InspectorPanel::showPoint(int point) {
-    const Scene& scene = m_document.scene();
+    const Scene& scene = m_simulation.shownScene();
     const Grid grid = m_document.grid();
     const Frame& frame = *m_simulation.shownFrame();
     const GridPoint place = grid.place(point);
@@ -121,7 +124,7 @@ void InspectorPanel::showSpring(int number) {
     const Frame& frame = *m_simulation.shownFrame();
     const Grid grid = m_document.grid();
     const Spring spring = grid.spring(number);
-    const Cloth& cloth = m_document.scene().cloth;
+    const Cloth& cloth = m_simulation.shownScene().cloth;
     const SpringMeasure m = measureSpring(cloth, m_simulation.sheet(), frame.state.position, spring);
 
     m_title->setText(tr("%1 spring %2").arg(typeName(spring.type())).arg(number));
@@ -173,9 +176,11 @@ void InspectorPanel::fillTable(const std::vector<int>& springs, int point) {
     for (int row = 0; row < int(springs.size()); ++row) {
         const Spring spring = grid.spring(springs[std::size_t(row)]);
         const SpringMeasure m =
-            measureSpring(m_document.scene().cloth, m_simulation.sheet(), position, spring);
+            measureSpring(m_simulation.shownScene().cloth, m_simulation.sheet(), position, spring);
         const int other = spring.a == point ? spring.b : spring.a;
-        const std::array<QString, 5> texts{typeName(spring.type()), pointName(grid, other),
+        const GridPoint place = grid.place(other);
+        const std::array<QString, 5> texts{typeName(spring.type()),
+                                           QStringLiteral("(%1, %2)").arg(place.x).arg(place.y),
                                            significant(m.length), percent(m.strain), significant(m.force)};
         for (int column = 0; column < int(texts.size()); ++column) {
             if (!m_table->item(row, column))

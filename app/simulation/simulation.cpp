@@ -30,6 +30,7 @@ void Simulation::restart() {
     m_recording.restart(
         std::make_shared<const Frame>(Frame{std::move(start), m_document.snapshot(), 0, 0, 0}));
     m_firstStale = 1;
+    m_current = 0; // before anyone is told: there must be a frame to show
     setBlowUp({});
     emit recordingChanged();
     show(0);
@@ -44,6 +45,13 @@ void Simulation::onSceneChanged(SceneChange change) {
         setBlowUp({});
         updateStaleness();
     }
+}
+
+const Scene& Simulation::shownScene() const {
+    const int next = m_current + 1;
+    if (next < m_recording.frameCount() && next != m_firstStale)
+        return *m_recording.frame(next)->scene;
+    return m_current >= m_firstStale ? *shownFrame()->scene : m_document.scene();
 }
 
 void Simulation::updateStaleness() {
@@ -61,10 +69,12 @@ void Simulation::dropStaleFrames() {
     if (stale <= 0)
         return;
     m_recording.truncate(m_firstStale);
+    const bool moved = m_current > m_recording.lastFrame();
+    m_current = std::min(m_current, m_recording.lastFrame());
     emit notice(tr("%n stale frame(s) replaced.", nullptr, stale));
     emit recordingChanged();
-    if (m_current > m_recording.lastFrame())
-        show(m_recording.lastFrame());
+    if (moved)
+        emit frameShown();
 }
 
 void Simulation::play() {

@@ -26,6 +26,8 @@ public:
     const Sheet& sheet() const { return m_sheet; }
     int currentFrame() const { return m_current; }
     const FramePointer& shownFrame() const { return m_recording.frame(m_current); }
+    // With which the run went on from the shown frame or, if that is where it would go on, will.
+    const Scene& shownScene() const;
     bool isPlaying() const { return m_playing; }
     bool isSimulating() const { return m_pendingTicket != 0; } // a frame is under way
     int firstStaleFrame() const { return m_firstStale; }       // frameCount() if none is

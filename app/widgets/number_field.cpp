@@ -242,10 +242,12 @@ void NumberField::keyPressEvent(QKeyEvent* event) {
         return;
     case Qt::Key_Return:
     case Qt::Key_Enter:
-        if (!isModified() || takeText()) {
-            showValue();
+        if (isModified() && !takeText()) {
+            selectAll();
+            return;
         }
-        selectAll();
+        showValue();
+        clearFocus(); // so that the keys of the window work again
         return;
     case Qt::Key_Escape:
         if (isModified()) {

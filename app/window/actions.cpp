@@ -30,7 +30,6 @@ QAction* Actions::add(const char* name, const QString& text, const QString& icon
     // Works wherever the focus is, floating docks included.
     action->setShortcutContext(Qt::ApplicationShortcut);
     m_window.addAction(action);
-    m_all << action;
     return action;
 }
 

@@ -53,9 +53,6 @@ public:
     QAction* keys;
     QAction* about;
 
-    // Those that have keys, in the order of the menus.
-    const QList<QAction*>& all() const { return m_all; }
-
     // The icon and name of playPause.
     void showPlaying(bool playing);
 
@@ -68,7 +65,6 @@ private:
     void addOtherActions();
 
     QWidget& m_window;
-    QList<QAction*> m_all;
 };
 
 } // namespace clothlab

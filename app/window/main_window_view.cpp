@@ -70,13 +70,15 @@ void MainWindow::choosePicture() {
 
 void MainWindow::showKeys() {
     QString rows;
-    for (const QAction* action : m_actions->all()) {
+    for (const QAction* action : QWidget::actions()) {
         QStringList names;
         for (const QKeySequence& key : action->shortcuts())
             names << key.toString(QKeySequence::NativeText).toHtmlEscaped();
         if (!names.isEmpty())
             rows += QStringLiteral("<tr><td><b>%1</b></td><td style='padding-left:16px'>%2</td></tr>")
-                        .arg(names.join(", "), action->statusTip().toHtmlEscaped());
+                        .arg(names.join(", "),
+                             (action->statusTip().isEmpty() ? action->text() : action->statusTip())
+                                 .toHtmlEscaped());
     }
     const QString mouse =
         tr("<p><b>In the view:</b> left drag orbits; right, middle or Shift+left drag pans; the wheel "
@@ -88,7 +90,7 @@ void MainWindow::showKeys() {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(tr("Keys and mouse"));
     auto* text = new QTextBrowser;
-    text->setHtml(mouse + "<table>" + rows + "</table>");
+    text->setHtml(mouse + "<p></p><table>" + rows + "</table>");
     auto* layout = new QVBoxLayout(dialog);
     layout->addWidget(text);
     dialog->resize(560, 640);

@@ -15,8 +15,11 @@
 using namespace clothlab;
 using test::Json;
 
+// Memory is then the sanitizer's. GCC tells by a macro, Clang by a feature.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kSanitized = true; // time and memory are then the sanitizer's
+constexpr bool kSanitized = true;
+#elif defined(__has_feature)
+constexpr bool kSanitized = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
 #else
 constexpr bool kSanitized = false;
 #endif

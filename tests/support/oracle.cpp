@@ -1,0 +1,203 @@
+#include "tests/support/oracle.h"
+
+#include <cmath>
+#include <unordered_map>
+
+namespace clothlab::oracle {
+namespace {
+
+struct CellIndex {
+    std::int64_t x, y, z;
+    friend bool operator==(const CellIndex&, const CellIndex&) = default;
+};
+
+struct CellHash {
+    std::size_t operator()(const CellIndex& c) const {
+        std::uint64_t h = std::uint64_t(c.x);
+        h = h * 0x9E3779B97F4A7C15U + std::uint64_t(c.y);
+        h = h * 0x9E3779B97F4A7C15U + std::uint64_t(c.z);
+        return std::size_t(h ^ (h >> 29U));
+    }
+};
+
+using CellMap = std::unordered_map<CellIndex, std::vector<int>, CellHash>;
+
+// Adds what the pair asks of the first point, if it is near enough.
+void partFrom(const Vec3& point, const Vec3& other, double distance, Correction& correction) {
+    const Vec3 apart = point - other;
+    const double length = apart.norm();
+    if (length == 0 || length >= distance)
+        return;
+    correction.vector += (distance - length) * (apart / length);
+    ++correction.neighbours;
+}
+
+void takeMean(Correction& correction, double share) {
+    if (correction.neighbours > 0)
+        correction.vector = correction.vector / correction.neighbours * share;
+}
+
+} // namespace
+
+std::vector<Correction> selfCollisionAllPairs(const std::vector<PointMass>& points, double distance,
+                                              double share) {
+    std::vector<Correction> corrections(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (points[i].pinned)
+            continue;
+        for (std::size_t j = 0; j < points.size(); ++j)
+            if (i != j)
+                partFrom(points[i].position, points[j].position, distance, corrections[i]);
+        takeMean(corrections[i], share);
+    }
+    return corrections;
+}
+
+std::vector<Correction> selfCollisionHashed(const std::vector<PointMass>& points, double distance,
+                                            double share) {
+    // Wider than the reach, so that a rounded quotient cannot put two points within reach two cells apart.
+    const double cellSize = 1.01 * distance;
+    std::vector<CellIndex> cells;
+    CellMap map;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vec3& p = points[i].position;
+        cells.push_back({std::int64_t(std::floor(p.x() / cellSize)),
+                         std::int64_t(std::floor(p.y() / cellSize)),
+                         std::int64_t(std::floor(p.z() / cellSize))});
+        map[cells.back()].push_back(int(i));
+    }
+    std::vector<Correction> corrections(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (points[i].pinned)
+            continue;
+        for (int n = 0; n < 27; ++n) {
+            const auto found =
+                map.find({cells[i].x + n % 3 - 1, cells[i].y + n / 3 % 3 - 1, cells[i].z + n / 9 - 1});
+            if (found == map.end())
+                continue;
+            for (const int j : found->second)
+                if (j != int(i))
+                    partFrom(points[i].position, points[std::size_t(j)].position, distance, corrections[i]);
+        }
+        takeMean(corrections[i], share);
+    }
+    return corrections;
+}
+
+void Cloth::step() {
+    computeForces();
+    moveByVerlet();
+    moveApart();
+    for (const Sphere& sphere : m_scene.spheres)
+        collideWithSphere(sphere);
+    for (const Plane& plane : m_scene.planes)
+        collideWithPlane(plane);
+    limitStrain();
+}
+
+bool Cloth::enabled(SpringType type) const {
+    switch (type) {
+    case SpringType::Structural:
+        return m_scene.cloth.enableStructural;
+    case SpringType::Shearing:
+        return m_scene.cloth.enableShearing;
+    case SpringType::Bending:
+        return m_scene.cloth.enableBending;
+    }
+    return false;
+}
+
+void Cloth::computeForces() {
+    for (PointMass& p : points)
+        p.force = m_pointMass * m_scene.simulation.gravity;
+    for (const Spring& s : springs) {
+        if (!enabled(s.type))
+            continue;
+        PointMass& a = points[std::size_t(s.a)];
+        PointMass& b = points[std::size_t(s.b)];
+        const Vec3 ab = b.position - a.position;
+        const double length = ab.norm();
+        if (length == 0)
+            continue; // no direction to pull in
+        const Vec3 force = s.stiffness * (length - s.restLength) * (ab / length);
+        a.force += force;
+        b.force -= force;
+    }
+}
+
+void Cloth::moveByVerlet() {
+    const SimulationSettings& settings = m_scene.simulation;
+    const double dt = 1.0 / (double(settings.framesPerSecond) * double(settings.stepsPerFrame));
+    const double kept = 1 - m_scene.cloth.damping / 100;
+    for (PointMass& p : points) {
+        if (p.pinned)
+            continue;
+        const Vec3 next = p.position + kept * (p.position - p.lastPosition) + p.force / m_pointMass * dt * dt;
+        p.lastPosition = p.position;
+        p.position = next;
+    }
+}
+
+void Cloth::moveApart() {
+    const double distance = 2 * m_scene.cloth.thickness;
+    if (distance <= 0)
+        return;
+    const std::vector<Correction> corrections =
+        selfCollisionHashed(points, distance, 1.0 / m_scene.simulation.stepsPerFrame);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        points[i].position += corrections[i].vector;
+        counts.selfCollisions += corrections[i].neighbours > 0 ? 1 : 0;
+    }
+}
+
+void Cloth::collideWithSphere(const Sphere& sphere) {
+    for (PointMass& p : points) {
+        const Vec3 out = p.position - sphere.origin;
+        const double distance = out.norm();
+        if (p.pinned || distance >= sphere.radius)
+            continue;
+        const Vec3 direction = distance == 0 ? Vec3(0, 1, 0) : Vec3(out / distance);
+        const Vec3 tangent = sphere.origin + sphere.radius * direction;
+        p.position = p.lastPosition + (1 - sphere.friction) * (tangent - p.lastPosition);
+        ++counts.sphereContacts;
+    }
+}
+
+void Cloth::collideWithPlane(const Plane& plane) {
+    const double kAbove = 0.0001;
+    const Vec3 normal = plane.normal / plane.normal.norm();
+    for (PointMass& p : points) {
+        const double height = normal.dot(p.position - plane.point);
+        const double lastHeight = normal.dot(p.lastPosition - plane.point);
+        // On the plane counts as above, at either time.
+        const bool cameFromAbove = lastHeight >= 0;
+        const bool crossed = cameFromAbove ? height < 0 : height >= 0;
+        if (p.pinned || !crossed)
+            continue;
+        const double target = cameFromAbove ? kAbove : -kAbove;
+        const Vec3 tangent = p.position + (target - height) * normal;
+        p.position = p.lastPosition + (1 - plane.friction) * (tangent - p.lastPosition);
+        ++counts.planeContacts;
+    }
+}
+
+void Cloth::limitStrain() {
+    for (const Spring& s : springs) {
+        PointMass& a = points[std::size_t(s.a)];
+        PointMass& b = points[std::size_t(s.b)];
+        if (!enabled(s.type) || (a.pinned && b.pinned))
+            continue;
+        const Vec3 ab = b.position - a.position;
+        const double length = ab.norm();
+        const double limit = 1.1 * s.restLength;
+        if (length <= limit)
+            continue;
+        const Vec3 excess = (length - limit) * (ab / length);
+        const double shareOfA = a.pinned ? 0 : b.pinned ? 1 : 0.5;
+        a.position += shareOfA * excess;
+        b.position -= (1 - shareOfA) * excess;
+        ++counts.strainLimits;
+    }
+}
+
+} // namespace clothlab::oracle
