@@ -61,9 +61,7 @@ public:
     NumberField* field(const QString& parameter) {
         return m_window->simulationPanel().row(parameter)->field();
     }
-    QString output() {
-        return m_window->findChild<QPlainTextEdit*>()->toPlainText();
-    }
+    QString output() { return m_window->findChild<QPlainTextEdit*>()->toPlainText(); }
 
     // In the folder of this test.
     QString path(const QString& name) const { return m_folder.filePath(name); }
@@ -150,8 +148,15 @@ public:
     }
 
 private:
+    // After a dialog is closed a window manager makes the window the active one again; there may be none
+    // here.
     QWindow* focusWindow() const {
-        return QGuiApplication::focusWindow() ? QGuiApplication::focusWindow() : m_window->windowHandle();
+        if (!QApplication::activeWindow()) {
+            m_window->activateWindow();
+            if (!QTest::qWaitForWindowActive(m_window.get(), kPatience))
+                qFatal("the window does not become the active one");
+        }
+        return QGuiApplication::focusWindow();
     }
 
     static void mouse(QTest::MouseAction action, QWidget* widget, QPoint at, Qt::KeyboardModifiers modifiers,

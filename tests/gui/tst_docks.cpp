@@ -163,7 +163,9 @@ void TestDocks::aSpoiltLayoutIsIgnored() {
 }
 
 void TestDocks::allPanelsHideAndComeBackAsTheyWere() {
+    const int top = window().dock("springs")->y();
     window().dock("springs")->hide();
+    TRY_COMPARE(window().dock("appearance")->y(), top); // moved up
     const auto before = places();
     window().viewport().setFocus();
     m_window->key(Qt::Key_Tab);

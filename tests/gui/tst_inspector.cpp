@@ -30,9 +30,7 @@ private:
     // Numbers in a line, however it is set.
     QList<double> numbers(const QString& name);
     const Frame& frame() { return *m_window->simulation().shownFrame(); }
-    void select(Selection::Kind kind, int number) {
-        m_window->document().setSelection({{{kind, number}}});
-    }
+    void select(Selection::Kind kind, int number) { m_window->document().setSelection({{{kind, number}}}); }
     int springBetween(int a, int b);
 
     std::unique_ptr<TestWindow> m_window;
@@ -173,7 +171,7 @@ void TestInspector::aDoubleClickInTheTableSelectsThatSpring() {
     const auto active = m_window->document().selection().active();
     QVERIFY(active && active->kind == Selection::Kind::Spring);
     QCOMPARE(line("Type"), type);
-    QVERIFY(line("From") == other || line("To") == other);
+    QVERIFY(line("From").endsWith(other) || line("To").endsWith(other));
 }
 
 void TestInspector::ofSeveralTheLastIsShownAndTheNumberTold() {

@@ -112,14 +112,15 @@ void TestStatus::everyActionWithKeysIsInTheListOfKeys() {
     auto* text = (*m_window)->findChild<QTextBrowser*>();
     QVERIFY(text && text->isVisible());
     const QString keys = text->toPlainText();
-    for (const QAction* action : (*m_window)->actions().all())
-        for (const QKeySequence& key : action->shortcuts())
-            QVERIFY2(keys.contains(key.toString(QKeySequence::NativeText)) &&
-                         keys.contains(action->statusTip()),
-                     qPrintable(action->text()));
-    // Undo and redo belong to the document, and have keys all the same.
-    QVERIFY2(keys.contains("Ctrl+Z"), "undo is not in the list");
-    QVERIFY2(keys.contains("Ctrl+Shift+Z"), "redo is not in the list");
+    int listed = 0;
+    for (const QAction* action : (*m_window)->QWidget::actions())
+        for (const QKeySequence& key : action->shortcuts()) {
+            QVERIFY2(keys.contains(key.toString(QKeySequence::NativeText)), qPrintable(action->text()));
+            ++listed;
+        }
+    QVERIFY(listed > 30);
+    for (const char* key : {"Space", "Ctrl+Z", "Ctrl+Shift+Z", "Home"})
+        QVERIFY2(keys.contains(key), key);
 }
 
 void TestStatus::noTwoActionsShareAKey() {

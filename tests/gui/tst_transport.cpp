@@ -232,6 +232,7 @@ void TestTransport::aTypedFrameIsShown() {
     m_window->typeInto(timeline().frameField(), "5");
     m_window->key(Qt::Key_Return);
     QCOMPARE(m_window->frame(), 5);
+    m_window->click(timeline().frameField());
     m_window->key(Qt::Key_Up);
     QCOMPARE(m_window->frame(), 6);
 }
@@ -281,10 +282,13 @@ void TestTransport::playingReplacesStaleFrames() {
     m_window->typeInto(m_window->field("cloth.ks"), "900");
     m_window->key(Qt::Key_Return);
     m_window->simulation().showFrame(8); // stale, and gone as soon as it plays
+    QList<int> shown;
+    connect(&m_window->simulation(), &Simulation::frameShown, this, [&] { shown << m_window->frame(); });
     m_window->key(Qt::Key_Space);
-    QCOMPARE(m_window->frame(), 4);
     TRY_VERIFY(m_window->frameCount() > 7);
     m_window->key(Qt::Key_Space);
+    disconnect(&m_window->simulation(), nullptr, this, nullptr);
+    QCOMPARE(shown.mid(0, 3), (QList<int>{4, 5, 6}));
     const Recording& recording = m_window->simulation().recording();
     QCOMPARE(recording.frame(4)->scene->cloth.ks, 5000.0);
     for (int i = 5; i < recording.frameCount(); ++i)

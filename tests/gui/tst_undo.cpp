@@ -1,5 +1,5 @@
-// Every control of every panel and bar changes the document, and undo takes both back. The controls are found,
-// not listed: one that is new is tested, too.
+// Every control of every panel and bar changes the document, and undo takes both back. The controls are
+// found, not listed: one that is new is tested, too.
 #include "tests/gui/test_window.h"
 
 #include "app/widgets/value_slider.h"
@@ -70,7 +70,9 @@ QList<Control> TestUndo::controls() {
     for (QCheckBox* box : (*m_window)->findChildren<QCheckBox*>())
         found << Control{box->objectName() + box->text(),
                          // On its square; the row may be wider than the box.
-                         [this, box] { m_window->click(box, {8, box->height() / 2}); },
+                         [this, box] {
+                             m_window->click(box, {8, box->height() / 2});
+                         },
                          [box] { return box->isChecked() ? QStringLiteral("on") : QStringLiteral("off"); }};
     for (QComboBox* box : (*m_window)->findChildren<QComboBox*>())
         found << Control{box->objectName() + box->accessibleName(),
@@ -81,7 +83,8 @@ QList<Control> TestUndo::controls() {
                          [box] { return box->currentText(); }};
     auto* bar = (*m_window)->findChild<QToolBar*>();
     for (QToolButton* button : bar->findChildren<QToolButton*>())
-        if (button->isCheckable() && button->defaultAction() != (*m_window)->actions().hidePanels)
+        if (button->isVisible() && button->isCheckable() &&
+            button->defaultAction() != (*m_window)->actions().hidePanels)
             found << Control{button->text(), [this, button] { m_window->click(button); },
                              [button] { return QString::number(button->isChecked()); }};
     return found;

@@ -146,13 +146,11 @@ void TestViewport::keysLookFromEverySide() {
         Qt::KeyboardModifiers modifiers;
         QVector3D from;
     };
-    for (const Side& side : {Side{Qt::Key_1, Qt::NoModifier, {0, 0, 1}},
-                             Side{Qt::Key_1, Qt::ControlModifier, {0, 0, -1}},
-                             Side{Qt::Key_3, Qt::NoModifier, {1, 0, 0}},
-                             Side{Qt::Key_3, Qt::ControlModifier, {-1, 0, 0}},
-                             Side{Qt::Key_7, Qt::NoModifier, {0, 1, 0}},
-                             Side{Qt::Key_7, Qt::ControlModifier, {0, -1, 0}},
-                             Side{Qt::Key_3, Qt::KeypadModifier, {1, 0, 0}}}) {
+    for (const Side& side :
+         {Side{Qt::Key_1, Qt::NoModifier, {0, 0, 1}}, Side{Qt::Key_1, Qt::ControlModifier, {0, 0, -1}},
+          Side{Qt::Key_3, Qt::NoModifier, {1, 0, 0}}, Side{Qt::Key_3, Qt::ControlModifier, {-1, 0, 0}},
+          Side{Qt::Key_7, Qt::NoModifier, {0, 1, 0}}, Side{Qt::Key_7, Qt::ControlModifier, {0, -1, 0}},
+          Side{Qt::Key_3, Qt::KeypadModifier, {1, 0, 0}}}) {
         m_window->key(side.key, side.modifiers);
         const QVector3D from = (view().camera().eye() - view().camera().target()).normalized();
         QVERIFY((from - side.from).length() < 1e-4F);
