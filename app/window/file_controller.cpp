@@ -105,7 +105,7 @@ bool FileController::saveTo(const QString& path) {
     if (auto* field = qobject_cast<NumberField*>(QApplication::focusWidget()))
         field->commit();
     if (const auto error = m_document.save(path)) {
-        emit problem(tr("The scene was not saved. %1").arg(*error));
+        emit problem(tr("The scene was not saved. %1: %2").arg(QDir::toNativeSeparators(path), *error));
         return false;
     }
     remember(m_document.path());

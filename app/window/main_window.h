@@ -105,7 +105,7 @@ private:
     QComboBox* m_shaderSelector = nullptr;
     std::array<QAction*, kSpringTypes> m_springActions{};
     QByteArray m_defaultState;
-    QList<QDockWidget*> m_hiddenDocks; // by hidePanels
+    QByteArray m_shownLayout; // while hidePanels has hidden them; otherwise empty
     bool m_laidOut = false;
 };
 

@@ -196,9 +196,8 @@ void MainWindow::restoreLayout() {
 }
 
 void MainWindow::keepLayout() {
-    setPanelsHidden(false);
     m_settings->setValue("geometry", saveGeometry());
-    m_settings->setValue("layout", saveState(kLayoutVersion));
+    m_settings->setValue("layout", m_shownLayout.isEmpty() ? saveState(kLayoutVersion) : m_shownLayout);
 }
 
 void MainWindow::resetLayout() {
@@ -207,15 +206,15 @@ void MainWindow::resetLayout() {
     arrangeDocks();
 }
 
+// Showing docks one by one would bring another tab to the front, and share out their sizes anew.
 void MainWindow::setPanelsHidden(bool hidden) {
-    if (hidden)
+    if (hidden) {
+        m_shownLayout = saveState(kLayoutVersion);
         for (QDockWidget* each : findChildren<QDockWidget*>())
-            if (!each->isHidden())
-                m_hiddenDocks << each;
-    for (QDockWidget* each : std::as_const(m_hiddenDocks))
-        each->setVisible(!hidden);
-    if (!hidden)
-        m_hiddenDocks.clear();
+            each->hide();
+    } else if (!m_shownLayout.isEmpty()) {
+        restoreState(std::exchange(m_shownLayout, {}), kLayoutVersion);
+    }
     m_actions->hidePanels->setChecked(hidden);
 }
 
