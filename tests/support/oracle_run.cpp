@@ -8,6 +8,14 @@
 #include <sstream>
 
 namespace clothlab {
+namespace {
+
+constexpr double kTolerance = 1e-9;        // m, after a run
+constexpr double kStepTolerance = 1e-14;   // m, in one step
+constexpr double kPredictable = 1e-12;     // m
+constexpr int kLeastPredictableSteps = 80; // of a scene that loses its predictability
+
+} // namespace
 
 std::string OracleRun::describe() const {
     std::ostringstream out;
@@ -64,6 +72,18 @@ int predictableSteps(const Start& start, int steps, double limit) {
             return step;
     }
     return steps;
+}
+
+std::string disagreement(const Start& start, const OracleRun& run) {
+    if (!(run.distanceInOneStep < kStepTolerance))
+        return "a step differs: " + run.describe();
+    if (run.distance < kTolerance)
+        return run.strainLimits == run.counts.strainLimits ? "" : "other strain limits: " + run.describe();
+    const int predictable = predictableSteps(start, run.steps, kPredictable);
+    if (predictable == run.steps || predictable < kLeastPredictableSteps)
+        return run.describe() + "; predictable for " + std::to_string(predictable);
+    const OracleRun part = runBeside(start, predictable);
+    return part.distance < kTolerance ? "" : "while predictable: " + part.describe();
 }
 
 } // namespace clothlab

@@ -8,6 +8,8 @@
 
 namespace clothlab {
 
+inline constexpr int kOracleSteps = 300; // in which contact, folds and limits all act
+
 struct Start {
     Scene scene;
     ClothState state;
@@ -31,5 +33,9 @@ OracleRun runBeside(const Start& start, int steps);
 // computes them, so that two right answers part. This is for how many steps the oracle stays within `limit`
 // metres of itself started one bit away: so long can anything be expected to stay near it.
 int predictableSteps(const Start& start, int steps, double limit);
+
+// What is wrong with a run that started there; empty if nothing is. A scene that amplifies rounding errors is
+// compared for as long as the oracle agrees with itself, and step by step to the end.
+std::string disagreement(const Start& start, const OracleRun& run);
 
 } // namespace clothlab
