@@ -6,6 +6,7 @@
 #include <QSurfaceFormat>
 
 #include <cstdio>
+#include <cstdlib>
 
 namespace {
 
@@ -16,7 +17,9 @@ QStringList argumentsOf(int argc, char** argv) {
     return arguments;
 }
 
-// Without a display Qt would end the program with a signal.
+constexpr const char* kNoWindow = "clothlab simulate needs none, and QT_QPA_PLATFORM=offscreen opens an "
+                                  "invisible window; see clothlab --help";
+
 bool hasDisplay() {
     return qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY") ||
            qEnvironmentVariableIsSet("QT_QPA_PLATFORM");
@@ -29,6 +32,17 @@ void setSurfaceFormat() {
     format.setDepthBufferSize(24);
     format.setSamples(4);
     QSurfaceFormat::setDefaultFormat(format);
+}
+
+QtMessageHandler nextHandler = nullptr;
+
+// When a display cannot be opened, Qt says so as a fatal message and would end the program with a signal.
+void noDisplayIsWrongUsage(QtMsgType type, const QMessageLogContext& context, const QString& message) {
+    if (type != QtFatalMsg)
+        return nextHandler(type, context, message);
+    std::fprintf(stderr, "clothlab: no display to open a window on (%s); %s\n",
+                 qPrintable(message.section('\n', 0, 0)), kNoWindow);
+    std::_Exit(clothlab::cli::WrongUsage);
 }
 
 int usageError(const char* message) {
@@ -44,13 +58,16 @@ int main(int argc, char** argv) {
         return clothlab::cli::runCommand(QCoreApplication::arguments().mid(1));
     }
 #ifdef Q_OS_LINUX
-    if (!hasDisplay())
-        return usageError(
-            "no display to open a window on (DISPLAY is not set); clothlab simulate needs none, and "
-            "QT_QPA_PLATFORM=offscreen opens an invisible window");
+    if (!hasDisplay()) {
+        std::fprintf(stderr, "clothlab: no display to open a window on (DISPLAY is not set); %s\n",
+                     kNoWindow);
+        return clothlab::cli::WrongUsage;
+    }
 #endif
     setSurfaceFormat();
+    nextHandler = qInstallMessageHandler(noDisplayIsWrongUsage);
     const QApplication application(argc, argv);
+    qInstallMessageHandler(nextHandler);
     QApplication::setApplicationName("ClothLab");
     clothlab::WindowOptions options;
     if (const QString error = clothlab::parseWindowOptions(QApplication::arguments().mid(1), options);

@@ -5,7 +5,7 @@
 namespace clothlab::cli {
 
 std::optional<OutputPath> OutputPath::parse(const QString& text) {
-    static const QRegularExpression conversion("%(%|0?([1-9]?)d)?");
+    static const QRegularExpression conversion("%(%|(?:0([1-9]))?d)?");
     OutputPath path;
     qsizetype end = 0;
     for (auto it = conversion.globalMatch(text); it.hasNext();) {

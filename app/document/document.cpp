@@ -1,6 +1,7 @@
 #include "app/document/document.h"
 
 #include "app/document/edit_scene_command.h"
+#include "simcore/scene/range.h"
 #include "simcore/scene/scene_io.h"
 
 #include <QCoreApplication>
@@ -63,11 +64,17 @@ void Document::edit(const QString& text, Scene after, int gesture) {
 }
 
 std::optional<QString> Document::setParameter(const Parameter& parameter, double value, int gesture) {
+    const auto words = [this](const Diagnostic& diagnostic) {
+        return QString::fromStdString(toText(diagnostic, displayName().toStdString()));
+    };
+    // Before it is set: what is out of range may not fit into its type.
+    if (const Range range = rangeOf(parameter); !range.contains(value))
+        return words({Severity::Error, std::string(parameter.id), outOfRange(value), writeWithin(range)});
     Scene after = *m_scene;
     parameter.set(after, value);
     for (const Diagnostic& diagnostic : validate(after))
         if (diagnostic.severity == Severity::Error)
-            return QString::fromStdString(toText(diagnostic, displayName().toStdString()));
+            return words(diagnostic);
     const QString label =
         QString::fromUtf8(parameter.label.data(), static_cast<qsizetype>(parameter.label.size()));
     edit(tr("change %1").arg(QCoreApplication::translate("Parameter", label.toUtf8())), std::move(after),

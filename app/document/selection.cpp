@@ -23,7 +23,8 @@ void Selection::remove(Item item) {
 
 void Selection::prune(const Grid& grid) {
     std::erase_if(items, [&](const Item& item) {
-        return item.number >= (item.kind == Kind::Point ? grid.pointCount() : grid.springCount());
+        const int count = item.kind == Kind::Point ? grid.pointCount() : grid.springCount();
+        return item.number < 0 || item.number >= count;
     });
 }
 

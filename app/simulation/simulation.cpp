@@ -6,9 +6,17 @@
 #include <utility>
 
 namespace clothlab {
+namespace {
 
-Simulation::Simulation(Document& document, QObject* parent)
-    : QObject(parent), m_document(document), m_worker([this](FrameOutcome outcome) {
+bool moveAlike(const Scene& a, const Scene& b) {
+    return &a == &b || compareScenes(a, b) <= SceneChange::Appearance;
+}
+
+} // namespace
+
+Simulation::Simulation(Document& document, QObject* parent, std::size_t recordingBudget)
+    : QObject(parent), m_document(document), m_recording(recordingBudget),
+      m_worker([this](FrameOutcome outcome) {
           QMetaObject::invokeMethod(
               this, [this, outcome = std::move(outcome)]() mutable { receive(std::move(outcome)); },
               Qt::QueuedConnection);
@@ -31,19 +39,22 @@ void Simulation::restart() {
         std::make_shared<const Frame>(Frame{std::move(start), m_document.snapshot(), 0, 0, 0}));
     m_firstStale = 1;
     m_current = 0; // before anyone is told: there must be a frame to show
+    m_staleEdits.clear();
+    m_scene = m_document.snapshot();
     setBlowUp({});
     emit recordingChanged();
     show(0);
 }
 
 void Simulation::onSceneChanged(SceneChange change) {
+    auto before = std::exchange(m_scene, m_document.snapshot());
     if (change == SceneChange::Start) {
         if (m_recording.frameCount() > 1)
             emit notice(tr("The sheet has changed: the recording begins anew."));
         restart();
     } else if (change == SceneChange::Motion) {
         setBlowUp({});
-        updateStaleness();
+        updateStaleness(std::move(before));
     }
 }
 
@@ -54,14 +65,31 @@ const Scene& Simulation::shownScene() const {
     return m_current >= m_firstStale ? *shownFrame()->scene : m_document.scene();
 }
 
-void Simulation::updateStaleness() {
+void Simulation::updateStaleness(std::shared_ptr<const Scene> before) {
     // Frames before the one shown stay what they are: how the run came to be here.
     const int candidate = std::min(m_firstStale, m_current + 1);
-    const bool stale =
-        candidate < m_recording.frameCount() &&
-        compareScenes(*m_recording.frame(candidate)->scene, m_document.scene()) > SceneChange::Appearance;
-    m_firstStale = stale ? candidate : m_recording.frameCount();
+    const auto undone = std::ranges::find_if(
+        m_staleEdits, [&](const StaleEdit& edit) { return moveAlike(*edit.before, *m_scene); });
+    if (undone != m_staleEdits.end()) {
+        m_firstStale = undone->firstStale;
+        m_staleEdits.erase(undone, m_staleEdits.end());
+    } else if (areComputedAs(*m_scene, candidate)) {
+        m_firstStale = m_recording.frameCount();
+    } else {
+        if (candidate < m_firstStale)
+            m_staleEdits.push_back({std::move(before), m_firstStale});
+        m_firstStale = candidate;
+        if (!m_playing)
+            dropPending(); // it would follow a stale frame
+    }
     emit recordingChanged();
+}
+
+bool Simulation::areComputedAs(const Scene& scene, int first) const {
+    for (int i = first; i < m_recording.frameCount(); ++i)
+        if (!moveAlike(*m_recording.frame(i)->scene, scene))
+            return false;
+    return true;
 }
 
 void Simulation::dropStaleFrames() {
@@ -69,6 +97,7 @@ void Simulation::dropStaleFrames() {
     if (stale <= 0)
         return;
     m_recording.truncate(m_firstStale);
+    m_staleEdits.clear();
     const bool moved = m_current > m_recording.lastFrame();
     m_current = std::min(m_current, m_recording.lastFrame());
     emit notice(tr("%n stale frame(s) replaced.", nullptr, stale));
@@ -169,6 +198,7 @@ void Simulation::receive(FrameOutcome outcome) {
 void Simulation::record(FramePointer frame) {
     m_recording.append(std::move(frame));
     m_firstStale = m_recording.frameCount();
+    m_staleEdits.clear();
     emit recordingChanged();
 }
 

@@ -9,18 +9,22 @@
 #include <QObject>
 #include <QTimer>
 
+#include <vector>
+
 namespace clothlab {
 
 // Playing shows recorded frames at their own pace and, after the last, goes on simulating. What is
 // recorded is what was shown: a frame that is under way when playing stops is dropped.
 //
 // Staleness: a motion edit while an earlier frame is shown makes the frames after it stale. They can
-// still be looked at; playing or stepping on replaces them. Undoing the edit makes them current again.
+// still be looked at; playing or stepping on replaces them. Undoing the edit makes them current again, and
+// so does any edit to the scene that all of them were computed with.
 class Simulation : public QObject {
     Q_OBJECT
 
 public:
-    explicit Simulation(Document& document, QObject* parent = nullptr);
+    explicit Simulation(Document& document, QObject* parent = nullptr,
+                        std::size_t recordingBudget = kRecordingBudget);
 
     const Recording& recording() const { return m_recording; }
     const Sheet& sheet() const { return m_sheet; }
@@ -52,7 +56,8 @@ signals:
 
 private:
     void onSceneChanged(SceneChange change);
-    void updateStaleness();
+    void updateStaleness(std::shared_ptr<const Scene> before);
+    bool areComputedAs(const Scene& scene, int first) const; // all frames from there on
     void dropStaleFrames();
     void advance();  // the next frame is due
     void schedule(); // the one after it
@@ -70,6 +75,13 @@ private:
     Sheet m_sheet;
     int m_current = 0;
     int m_firstStale = 0;
+    // An edit that made frames stale: what undoing it brings back.
+    struct StaleEdit {
+        std::shared_ptr<const Scene> before;
+        int firstStale;
+    };
+    std::vector<StaleEdit> m_staleEdits;  // since frames were last recorded or dropped
+    std::shared_ptr<const Scene> m_scene; // the document's, as last heard of
     bool m_playing = false;
     QString m_blowUp;
     std::thread::id m_lastComputedOn;

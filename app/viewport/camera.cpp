@@ -3,6 +3,8 @@
 #include <QtMath>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace clothlab {
 namespace {
@@ -32,6 +34,12 @@ Axes axesOf(const CameraView& view) {
     return {right, QVector3D::crossProduct(back, right), back};
 }
 
+// How far before and behind the eye a parallel projection draws. However near one zooms, the sheet is not
+// cut.
+float orthographicDepth(double distance) {
+    return float(20 * distance + 20);
+}
+
 } // namespace
 
 QVector3D Camera::target() const {
@@ -54,8 +62,8 @@ QMatrix4x4 Camera::projectionMatrix(QSizeF size) const {
     QMatrix4x4 matrix;
     if (orthographic) {
         const float halfHeight = distance * std::tan(qDegreesToRadians(kFieldOfView / 2));
-        matrix.ortho(-halfHeight * ratio, halfHeight * ratio, -halfHeight, halfHeight, -20 * distance,
-                     20 * distance);
+        matrix.ortho(-halfHeight * ratio, halfHeight * ratio, -halfHeight, halfHeight,
+                     -orthographicDepth(view.distance), orthographicDepth(view.distance));
     } else {
         matrix.perspective(kFieldOfView, ratio, distance * 0.02F, distance * 100 + 20);
     }
@@ -65,7 +73,7 @@ QMatrix4x4 Camera::projectionMatrix(QSizeF size) const {
 Camera::Projected Camera::project(const QVector3D& point, QSizeF size) const {
     const float depth = QVector3D::dotProduct(target() - point, axesOf(view).back) + float(view.distance);
     const QVector4D clip = viewProjection(size) * QVector4D(point, 1);
-    if (clip.w() <= 0 || (!orthographic && depth <= 0))
+    if (!(clip.w() > 0) || !std::isfinite(depth) || (!orthographic && depth <= 0))
         return {};
     const double x = (double(clip.x() / clip.w()) + 1) / 2 * size.width();
     const double y = (1 - double(clip.y() / clip.w())) / 2 * size.height();
@@ -77,8 +85,10 @@ Ray Camera::rayThrough(QPointF position, QSizeF size) const {
     const float perPixel = metresPerPixel(float(view.distance), size);
     const QVector3D inPlane = axes.right * float(position.x() - size.width() / 2) * perPixel -
                               axes.up * float(position.y() - size.height() / 2) * perPixel;
-    const QVector3D origin = orthographic ? eye() + inPlane : eye();
-    return {origin, (target() + inPlane - origin).normalized()};
+    if (!orthographic)
+        return {eye(), (target() + inPlane - eye()).normalized()};
+    // From behind everything that is drawn: the picture goes on behind the eye.
+    return {target() + inPlane + axes.back * 2 * orthographicDepth(view.distance), -axes.back};
 }
 
 float Camera::metresPerPixel(float depth, QSizeF size) const {
@@ -115,10 +125,12 @@ void Camera::look(ViewDirection direction) {
     view.elevation = angles[std::size_t(direction)].elevation;
 }
 
-void Camera::frame(const QVector3D& centre, double radius) {
+void Camera::frame(const QVector3D& centre, double radius, QSizeF size) {
     view.target = fromQt(centre);
-    const double fitting =
-        1.1 * std::max(radius, 0.01) / std::sin(qDegreesToRadians(double(kFieldOfView) / 2));
+    // The narrower of the two angles, which is the horizontal one in a view that is higher than wide.
+    const double ratio = std::clamp(size.width() / std::max(1.0, size.height()), 0.01, 1.0);
+    const double halfAngle = std::atan(ratio * std::tan(qDegreesToRadians(double(kFieldOfView) / 2)));
+    const double fitting = 1.1 * std::max(radius, 0.01) / std::sin(halfAngle);
     view.distance = std::clamp(fitting, kNearest, kFarthest);
 }
 

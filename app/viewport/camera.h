@@ -48,7 +48,8 @@ public:
     void zoom(double factor, QPointF towards,
               QSizeF size); // factor < 1 comes nearer; what is under towards stays
     void look(ViewDirection direction);
-    void frame(const QVector3D& centre, double radius); // keeps the direction
+    // Puts a sphere into a view of that size, whole and no smaller than needed. Keeps the direction.
+    void frame(const QVector3D& centre, double radius, QSizeF size);
 };
 
 // Where the course looks at: the sheet's centre at half its height. A little from above and from the side, so

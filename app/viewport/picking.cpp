@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace clothlab {
 namespace {
@@ -47,22 +48,31 @@ float surfaceDepth(const Camera& camera, const Grid& grid, const PointArray& pos
     return camera.project(ray.origin + nearest * ray.direction, size).depth;
 }
 
-struct Nearest {
-    std::optional<int> number;
-    double distance = 0; // pixels
-    float depth = 0;
+// What is under the mouse, as far as a hand can tell.
+class Candidates {
+public:
+    void offer(int number, double pixels, float depth) { m_all.push_back({number, pixels, depth}); }
 
-    void offer(int candidate, double pixels, float candidateDepth) {
+    std::optional<int> best() {
         // Pictures closer together than this are as near to a hand with a mouse.
         constexpr double same = 1.5;
-        const bool better = !number || pixels < distance - same ||
-                            (pixels < distance + same && candidateDepth < depth * 0.998F);
-        if (better) {
-            number = candidate;
-            distance = pixels;
-            depth = candidateDepth;
-        }
+        const auto nearest = std::ranges::min_element(m_all, {}, &Candidate::pixels);
+        if (nearest == m_all.end())
+            return std::nullopt;
+        std::erase_if(m_all, [limit = nearest->pixels + same](const auto& c) { return c.pixels > limit; });
+        const float front = std::ranges::min_element(m_all, {}, &Candidate::depth)->depth;
+        std::erase_if(m_all,
+                      [limit = front + 0.002F * std::abs(front)](const auto& c) { return c.depth > limit; });
+        return std::ranges::min_element(m_all, {}, &Candidate::pixels)->number;
     }
+
+private:
+    struct Candidate {
+        int number;
+        double pixels;
+        float depth;
+    };
+    std::vector<Candidate> m_all;
 };
 
 // Place on the segment nearest to a point, 0 … 1 from its start.
@@ -91,17 +101,17 @@ std::optional<Selection::Item> pick(const Camera& camera, const Grid& grid, cons
         behind += 4 * float(query.pointRadius) * camera.metresPerPixel(behind, query.size);
     }
 
-    Nearest point;
+    Candidates points;
     for (int i = 0; i < int(projected.size()); ++i) {
         const Camera::Projected& p = projected[std::size_t(i)];
         const double pixels = length(p.position - query.position);
         if (p.visible && pixels <= query.pointRadius && !(p.depth > behind))
-            point.offer(i, pixels, p.depth);
+            points.offer(i, pixels, p.depth);
     }
-    if (point.number)
-        return Selection::Item{Selection::Kind::Point, *point.number};
+    if (const auto point = points.best())
+        return Selection::Item{Selection::Kind::Point, *point};
 
-    Nearest spring;
+    Candidates springs;
     for (int number = 0, count = grid.springCount(); number < count; ++number) {
         const Spring s = grid.spring(number);
         const Camera::Projected& a = projected[std::size_t(s.a)];
@@ -112,10 +122,10 @@ std::optional<Selection::Item> pick(const Camera& camera, const Grid& grid, cons
         const double pixels = length(a.position + along * (b.position - a.position) - query.position);
         const float depth = a.depth + float(along) * (b.depth - a.depth);
         if (pixels <= query.springRadius && !(depth > behind))
-            spring.offer(number, pixels, depth);
+            springs.offer(number, pixels, depth);
     }
-    if (spring.number)
-        return Selection::Item{Selection::Kind::Spring, *spring.number};
+    if (const auto spring = springs.best())
+        return Selection::Item{Selection::Kind::Spring, *spring};
     return std::nullopt;
 }
 

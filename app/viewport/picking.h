@@ -19,8 +19,8 @@ struct PickQuery {
     bool surfaceHides = true; // what lies behind the sheet's surface cannot be picked
 };
 
-// A point within its radius wins over a spring; of several the nearest on the screen, and of those that
-// are as near the one in front.
+// A point within its radius wins over a spring; of several the nearest on the screen; of those that are as
+// near, give or take 1.5 pixels, the one in front; of those as far in front, the nearest on the screen.
 std::optional<Selection::Item> pick(const Camera& camera, const Grid& grid, const PointArray& position,
                                     const PickQuery& query);
 

@@ -100,7 +100,7 @@ void Viewport::frameBox(const std::vector<int>& points) {
         return;
     const Vec3 centre = box.center();
     m_camera.frame({float(centre.x()), float(centre.y()), float(centre.z())},
-                   std::max(0.05, box.diagonal().norm() / 2));
+                   std::max(0.05, box.diagonal().norm() / 2), size());
     refresh();
     emit cameraChanged();
 }

@@ -62,9 +62,10 @@ public:
 
 private:
     void next() {
-        if (m_window.simulation().currentFrame() < m_options.frames)
-            m_window.simulation().simulateFrame();
-        else
+        Simulation& simulation = m_window.simulation();
+        if (simulation.currentFrame() < m_options.frames)
+            simulation.simulateFrame();
+        if (!simulation.isSimulating()) // all are there, or the recording is full
             finish();
     }
 
@@ -72,11 +73,18 @@ private:
         disconnect(&m_window.simulation(), nullptr, this, nullptr);
         // After the window has been painted.
         QTimer::singleShot(200, this, [this] {
-            const auto error = m_window.savePicture(m_options.screenshot);
-            if (error)
-                std::fprintf(stderr, "clothlab: %s\n", qPrintable(*error));
-            QApplication::exit(error ? cli::OutputNotWritten : cli::Done);
+            if (const auto error = m_window.savePicture(m_options.screenshot))
+                exit(cli::OutputNotWritten, *error);
+            else if (const QString blowUp = m_window.simulation().blowUp(); !blowUp.isEmpty())
+                exit(cli::SimulationBlewUp, blowUp);
+            else
+                QApplication::exit(cli::Done);
         });
+    }
+
+    static void exit(cli::ExitStatus status, const QString& words) {
+        std::fprintf(stderr, "clothlab: %s\n", qPrintable(words));
+        QApplication::exit(status);
     }
 
     MainWindow& m_window;

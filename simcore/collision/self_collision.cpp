@@ -7,6 +7,11 @@
 namespace clothlab {
 namespace {
 
+constexpr double kSkin = 0.5; // as a share of the distance
+// On average a point. A sheet that crowds more is looked through without lists, which would take too much
+// memory.
+constexpr std::size_t kMostNeighbours = 128;
+
 // Adds up what one point's neighbours ask of it.
 class Correction {
 public:
@@ -88,10 +93,10 @@ void SelfCollision::sortIntoCells(const PointArray& position, double cellSize) {
         m_points[--m_begin[bucket(m_cells[i])]] = std::uint32_t(i);
 }
 
-void SelfCollision::gatherNeighbours(const PointArray& position, int point, double distance) {
+void SelfCollision::appendNeighbours(const PointArray& position, int point, double reach) {
     const Cell centre = m_cells[std::size_t(point)];
     const Vec3 p = position.at(point);
-    m_neighbours.clear();
+    const auto first = std::ptrdiff_t(m_neighbours.size());
     for (std::int64_t x = centre.x - 1; x <= centre.x + 1; ++x)
         for (std::int64_t y = centre.y - 1; y <= centre.y + 1; ++y)
             for (std::int64_t z = centre.z - 1; z <= centre.z + 1; ++z) {
@@ -101,25 +106,71 @@ void SelfCollision::gatherNeighbours(const PointArray& position, int point, doub
                     const std::uint32_t j = m_points[k];
                     // A bucket may hold points of other cells; each cell is looked at once.
                     if (int(j) != point && m_cells[j] == cell &&
-                        (p - position.at(int(j))).squaredNorm() < distance * distance)
+                        (p - position.at(int(j))).squaredNorm() < reach * reach)
                         m_neighbours.push_back(j);
                 }
             }
-    std::ranges::sort(m_neighbours);
+    std::sort(m_neighbours.begin() + first, m_neighbours.end());
+}
+
+void SelfCollision::makeLists(const PointArray& position, double distance) {
+    const double reach = (1 + kSkin) * distance;
+    // Cells a little wider than the reach: rounding in the division must not part two points within it.
+    sortIntoCells(position, reach * (1 + 1e-9));
+    m_distance = -1;
+    m_neighbours.clear();
+    m_listEnd.resize(position.size());
+    for (std::size_t i = 0; i < position.size(); ++i) {
+        appendNeighbours(position, int(i), reach);
+        m_listEnd[i] = std::uint32_t(m_neighbours.size());
+        if (m_neighbours.size() > kMostNeighbours * position.size())
+            return;
+    }
+    m_listedAt = position;
+    m_distance = distance;
+}
+
+// What all points have moved together brings none nearer to another, so a falling sheet keeps its lists.
+bool SelfCollision::listsHold(const PointArray& position, double distance) const {
+    const std::size_t n = position.size();
+    if (distance != m_distance || m_listedAt.size() != n)
+        return false;
+    Vec3 together = Vec3::Zero();
+    for (std::size_t i = 0; i < n; ++i) {
+        together.x() += position.x[i] - m_listedAt.x[i];
+        together.y() += position.y[i] - m_listedAt.y[i];
+        together.z() += position.z[i] - m_listedAt.z[i];
+    }
+    together /= double(n);
+    double farthestSquared = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double dx = position.x[i] - m_listedAt.x[i] - together.x();
+        const double dy = position.y[i] - m_listedAt.y[i] - together.y();
+        const double dz = position.z[i] - m_listedAt.z[i] - together.z();
+        farthestSquared = std::max(farthestSquared, dx * dx + dy * dy + dz * dz);
+    }
+    // A little less than half the skin, for the rounding of these differences.
+    const double slack = 0.499 * kSkin * distance - 1e-12 * together.norm();
+    return slack > 0 && farthestSquared < slack * slack;
 }
 
 int SelfCollision::corrections(const PointArray& position, const std::vector<std::uint8_t>& pinned,
                                double distance, double share, PointArray& correction) {
-    // Cells a little wider than the reach: rounding in the division must not part two points within it.
-    sortIntoCells(position, distance * (1 + 1e-9));
+    if (!listsHold(position, distance))
+        makeLists(position, distance);
+    const bool listed = m_distance >= 0;
     int corrected = 0;
+    std::uint32_t begin = 0;
     for (std::size_t i = 0; i < position.size(); ++i) {
         Correction sum(position, i, distance);
-        if (!pinned[i]) {
-            gatherNeighbours(position, int(i), distance);
-            for (const std::uint32_t j : m_neighbours)
-                sum.add(j);
+        if (!listed) {
+            m_neighbours.clear();
+            appendNeighbours(position, int(i), distance);
         }
+        const auto end = listed ? m_listEnd[i] : std::uint32_t(m_neighbours.size());
+        for (std::uint32_t k = listed ? begin : 0; k < end && !pinned[i]; ++k)
+            sum.add(m_neighbours[k]);
+        begin = end;
         corrected += sum.store(share, correction) ? 1 : 0;
     }
     return corrected;

@@ -20,10 +20,12 @@ struct Frame {
 
 using FramePointer = std::shared_ptr<const Frame>;
 
+inline constexpr std::size_t kRecordingBudget = std::size_t(1) << 30U; // bytes
+
 // Frame 0 is the start. Not safe to share between threads; frames are, as they never change.
 class Recording {
 public:
-    explicit Recording(std::size_t budgetBytes = std::size_t(1) << 30U) : m_budget(budgetBytes) {}
+    explicit Recording(std::size_t budgetBytes = kRecordingBudget) : m_budget(budgetBytes) {}
 
     void restart(FramePointer start);
     void append(FramePointer frame);

@@ -21,7 +21,7 @@ struct Parameter {
     double maximum;
     double sliderMinimum; // the usual range, in the file's unit
     double sliderMaximum;
-    bool logarithmic;   // of the slider
+    bool logarithmic;    // of the slider
     double panelDivisor; // value in panels = value in the file / panelDivisor
     double (*get)(const Scene&);
     void (*set)(Scene&, double); // precondition: minimum <= value <= maximum

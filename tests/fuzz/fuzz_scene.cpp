@@ -1,4 +1,4 @@
-// libFuzzer: fuzz_scene tests/fuzz/corpus_scene
+// libFuzzer. New inputs go to the first folder: fuzz_scene /tmp/found tests/fuzz/corpus_scene
 #include "tests/support/scene_invariants.h"
 
 #include <cstdint>

@@ -202,8 +202,8 @@ void TestSelfCollision::foldedSheet() {
                                oracle::selfCollisionHashed(points, cloud.distance, cloud.share)) < 1e-15);
 }
 
-// Two points a hair on either side of a border at many places, near together and almost out of reach. A
-// rounded quotient may put the latter two cells apart.
+// Two points a hair on either side of a border at many places, near together and almost out of reach,
+// where a rounded quotient could put the latter two cells apart.
 void TestSelfCollision::pairAcrossACellBorder() {
     SplitMix64 random(1);
     SelfCollision selfCollision;

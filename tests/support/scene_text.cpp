@@ -1,5 +1,7 @@
 #include "tests/support/scene_text.h"
 
+#include <QtGlobal>
+
 #include <algorithm>
 #include <fstream>
 #include <iterator>
@@ -24,6 +26,32 @@ Json everyKeyScene() {
     scene["camera"] =
         Json::parse(R"({"target": [0.5, 0.5, 0.5], "distance": 3, "azimuth": 30, "elevation": 20})");
     return scene;
+}
+
+std::string courseText() {
+    return test::courseScene().dump();
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    if (at == std::string::npos)
+        qFatal("no %s", from.c_str());
+    return text.replace(at, from.size(), to);
+}
+
+// What is wrong with how a bad file was answered; empty if nothing is.
+std::string badAnswer(const SceneReading& reading) {
+    if (reading.scene)
+        return "there is a scene";
+    if (!hasErrors(reading.diagnostics))
+        return "there is no error";
+    for (const Diagnostic& d : reading.diagnostics) {
+        if (d.message.empty() || (d.severity == Severity::Error && d.remedy.empty()))
+            return "an error lacks words: " + clothlab::toText(d, "");
+        if (d.message.size() + d.place.size() > 1000)
+            return "an error is longer than a screen";
+    }
+    return "";
 }
 
 std::string toText(const Diagnostics& diagnostics) {

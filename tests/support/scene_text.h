@@ -14,6 +14,14 @@ using Json = nlohmann::ordered_json;
 Json courseScene();   // every key that the course's loader asks for, one sphere, one plane
 Json everyKeyScene(); // as well as every key of ours, none at its default
 
+std::string courseText(); // of courseScene(), without space
+
+std::string replaced(std::string text, const std::string& from,
+                     const std::string& to); // once; from must be there
+
+// What is wrong with how a bad file was answered; empty if nothing is.
+std::string badAnswer(const SceneReading& reading);
+
 // Each diagnostic on a line, for failure messages.
 std::string toText(const Diagnostics& diagnostics);
 

@@ -6,9 +6,12 @@
 #include <QtTest>
 
 #include <bit>
-#include <clocale>
+#include <csignal>
 #include <cstdlib>
+#include <locale>
 #include <sstream>
+
+#include <sys/resource.h>
 
 using namespace clothlab;
 
@@ -102,6 +105,26 @@ Vec3 vectorAt(const std::vector<std::string>& cells, std::size_t column) {
             std::strtod(cells.at(column + 2).c_str(), nullptr)};
 }
 
+// While it lives, writing a file beyond so many bytes fails, whoever writes.
+class FileSizeLimit {
+public:
+    explicit FileSizeLimit(rlim_t bytes) : m_handler(std::signal(SIGXFSZ, SIG_IGN)) {
+        ::getrlimit(RLIMIT_FSIZE, &m_old);
+        const rlimit limit{bytes, m_old.rlim_max};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~FileSizeLimit() {
+        ::setrlimit(RLIMIT_FSIZE, &m_old);
+        std::signal(SIGXFSZ, m_handler);
+    }
+    FileSizeLimit(const FileSizeLimit&) = delete;
+    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+private:
+    void (*m_handler)(int);
+    rlimit m_old{};
+};
+
 QByteArray contents(const QString& path) {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("(cannot be read)");
@@ -126,6 +149,7 @@ private slots:
     void replacesAnExistingFile();
     void unwritableFolder();
     void existingFileSurvivesAFailure();
+    void diskThatFillsUp();
 };
 
 void TestExport::objVerticesInIndexOrder() {
@@ -295,6 +319,25 @@ void TestExport::existingFileSurvivesAFailure() {
     if (problem) // root may write there all the same
         QCOMPARE(after, before);
     QCOMPARE(QDir(folder.path()).entryList(everything).size(), 2);
+}
+
+void TestExport::diskThatFillsUp() {
+    const QTemporaryDir folder;
+    const QString kept = folder.filePath("kept.obj");
+    QVERIFY(!exportFrame(sampleFrame(2, 2), ExportFormat::Obj, kept.toStdString()));
+    const QByteArray before = contents(kept);
+    const Frame large = sampleFrame(60, 60);
+    std::optional<std::string> overOld;
+    std::optional<std::string> fresh;
+    {
+        const FileSizeLimit limit(5000);
+        overOld = exportFrame(large, ExportFormat::Obj, kept.toStdString());
+        fresh = exportFrame(large, ExportFormat::Csv, folder.filePath("new.csv").toStdString());
+    }
+    QVERIFY(overOld && !overOld->empty());
+    QVERIFY(fresh && !fresh->empty());
+    QCOMPARE(contents(kept), before);
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden), QStringList{"kept.obj"});
 }
 
 QTEST_APPLESS_MAIN(TestExport)

@@ -307,6 +307,14 @@ private slots:
         QVERIFY(test::find(reading.diagnostics, Severity::Warning, "cloth.enable_shearing"));
     }
 
+    void onlyTheKeysOfOpenObjectsAreCounted() {
+        std::string list = "[";
+        for (int i = 0; i < 60'000; ++i)
+            list += R"({"a": 1, "b": 2},)";
+        const std::string text = R"({"cloth": {}, "unknown": )" + list + "{}]}";
+        QVERIFY(readScene(text).scene.has_value());
+    }
+
     void aByteOrderMarkIsNoTrouble() {
         const SceneReading reading = readScene("\xEF\xBB\xBF" + test::courseScene().dump());
         QVERIFY2(reading.scene && reading.diagnostics.empty(), test::toText(reading.diagnostics).c_str());

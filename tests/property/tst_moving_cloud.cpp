@@ -1,0 +1,96 @@
+// Lists of neighbours outlive the step they were made in: on a cloud that moves, every step must still give
+// the bits of all pairs.
+#include "simcore/collision/self_collision.h"
+#include "tests/support/random.h"
+
+#include <QtTest>
+
+using namespace clothlab;
+
+namespace {
+
+constexpr double kDistance = 0.02;
+constexpr int kPoints = 150;
+constexpr int kSteps = 200;
+
+// How a cloud moves from one step to the next.
+struct Motion {
+    const char* name;
+    double together; // of all points alike, m a step
+    double apart;    // of each point for itself, m a step
+    double spread;   // half the width of the cloud at the start, m
+};
+
+constexpr Motion kMotions[] = {{"still", 0, 0, 0.05},           {"falling", 0.5, 0, 0.05},
+                               {"creeping", 0, 2e-5, 0.05},     {"simmering", 0, 4e-4, 0.05},
+                               {"falling apart", 3, 3e-3, 1},   {"wild", 0, 0.03, 0.05},
+                               {"at one place", 0, 1e-5, 1e-4}, {"far and fast", 1e7, 1e-4, 0.05}};
+
+} // namespace
+
+class TestMovingCloud : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyStepEqualsAllPairs_data();
+    void everyStepEqualsAllPairs();
+    void anotherDistanceOrSheetIsNoticed();
+
+private:
+    SelfCollision m_selfCollision; // the same for all, as a solver keeps it
+
+    void compare(const PointArray& points, const std::vector<std::uint8_t>& pinned, double distance,
+                 int step);
+};
+
+void TestMovingCloud::compare(const PointArray& points, const std::vector<std::uint8_t>& pinned,
+                              double distance, int step) {
+    PointArray expected(points.size()), found(points.size());
+    selfCollisionBruteForce(points, pinned, distance, 0.25, expected);
+    m_selfCollision.corrections(points, pinned, distance, 0.25, found);
+    QVERIFY2(expected == found, qPrintable(QStringLiteral("step %1").arg(step)));
+}
+
+void TestMovingCloud::everyStepEqualsAllPairs_data() {
+    QTest::addColumn<int>("motion");
+    for (int i = 0; i < int(std::size(kMotions)); ++i)
+        QTest::newRow(kMotions[i].name) << i;
+}
+
+void TestMovingCloud::everyStepEqualsAllPairs() {
+    QFETCH(int, motion);
+    const Motion& how = kMotions[motion];
+    SplitMix64 random(std::uint64_t(motion) + 1);
+    const auto around = [&](double size) {
+        const double x = random.real(-size, size), y = random.real(-size, size);
+        return Vec3(x, y, random.real(-size, size));
+    };
+    PointArray points(kPoints);
+    std::vector<std::uint8_t> pinned(kPoints);
+    for (int i = 0; i < kPoints; ++i) {
+        points.set(i, around(how.spread));
+        pinned[std::size_t(i)] = random.chance(0.1) ? 1 : 0;
+    }
+    for (int step = 0; step < kSteps; ++step) {
+        compare(points, pinned, kDistance, step);
+        if (QTest::currentTestFailed())
+            return;
+        const Vec3 together = around(how.together);
+        for (int i = 0; i < kPoints; ++i)
+            points.set(i, points.at(i) + together + around(how.apart));
+    }
+}
+
+void TestMovingCloud::anotherDistanceOrSheetIsNoticed() {
+    for (const double distance : {0.02, 0.05, 0.01, 0.02})
+        for (const int count : {150, 40, 2, 300}) {
+            SplitMix64 random(7);
+            PointArray points{std::size_t(count)};
+            for (int i = 0; i < count; ++i)
+                points.set(i, Vec3(random.real(0, 0.1), random.real(0, 0.1), random.real(0, 0.1)));
+            compare(points, std::vector<std::uint8_t>(std::size_t(count)), distance, count);
+        }
+}
+
+QTEST_APPLESS_MAIN(TestMovingCloud)
+#include "tst_moving_cloud.moc"
