@@ -52,13 +52,14 @@ bool TestThreads::loadSlowScene() {
     return m_window->load(slowScene());
 }
 
-// A frame of one step comes back only after whatever was under way before it.
+// A frame of one step comes back only after whatever was under way before it, which must not be recorded.
 bool TestThreads::waitUntilTheWorkerIsIdle() {
     const int before = m_window->frameCount();
     if (m_window->document().setParameter(*findParameter("simulation.steps_per_frame"), 1))
         return false;
     simulation().simulateFrame();
-    return QTest::qWaitFor([&] { return m_window->frameCount() > before; }, kPatience);
+    return QTest::qWaitFor([&] { return m_window->frameCount() > before; }, kPatience) &&
+           simulation().recording().frame(before)->scene->simulation.stepsPerFrame == 1;
 }
 
 void TestThreads::noFrameIsEverComputedOnTheGuiThread() {
