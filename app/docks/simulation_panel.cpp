@@ -1,6 +1,7 @@
 #include "app/docks/simulation_panel.h"
 
 #include "app/docks/text.h"
+#include "app/widgets/check_box.h"
 #include "app/widgets/foldable_group.h"
 #include "app/widgets/number_field.h"
 #include "app/widgets/parameter_row.h"
@@ -88,7 +89,7 @@ QWidget* SimulationPanel::makeRow(const Parameter& parameter) {
 }
 
 QWidget* SimulationPanel::makeCheckBox(const Parameter& parameter) {
-    auto* box = new QCheckBox(translated(parameter.label));
+    auto* box = new CheckBox(translated(parameter.label));
     box->setObjectName(toQString(parameter.id));
     box->setToolTip(parameterToolTip(parameter));
     connect(box, &QCheckBox::clicked, this,

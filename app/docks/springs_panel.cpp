@@ -1,6 +1,7 @@
 #include "app/docks/springs_panel.h"
 
 #include "app/docks/text.h"
+#include "app/widgets/check_box.h"
 
 #include <QEvent>
 #include <QGridLayout>
@@ -23,7 +24,7 @@ SpringsPanel::SpringsPanel(Document& document, QWidget* parent) : QWidget(parent
     layout->setColumnStretch(0, 1);
     int row = 0;
     for (const SpringType type : {SpringType::Structural, SpringType::Shearing, SpringType::Bending}) {
-        auto* box = new QCheckBox(typeName(type));
+        auto* box = new CheckBox(typeName(type));
         box->setObjectName("draw_" + typeName(type).toLower());
         connect(box, &QCheckBox::clicked, this,
                 [this, type](bool checked) { setSpringsDrawn(m_document, type, checked); });
@@ -40,7 +41,7 @@ SpringsPanel::SpringsPanel(Document& document, QWidget* parent) : QWidget(parent
     layout->addWidget(new QLabel(tr("All")), row, 0);
     layout->addWidget(m_total, row++, 1);
 
-    m_overSurface = new QCheckBox(tr("Over shaded surfaces too"));
+    m_overSurface = new CheckBox(tr("Over shaded surfaces too"));
     m_overSurface->setToolTip(tr("Draw the springs with every shader, not only with Wireframe."));
     connect(m_overSurface, &QCheckBox::clicked, this, [this](bool checked) {
         Scene after = m_document.scene();

@@ -1,6 +1,7 @@
 #include "app/document/document.h"
 
 #include "app/document/edit_scene_command.h"
+#include "simcore/scene/pins.h"
 #include "simcore/scene/range.h"
 #include "simcore/scene/scene_io.h"
 
@@ -72,6 +73,11 @@ std::optional<QString> Document::setParameter(const Parameter& parameter, double
         return words({Severity::Error, std::string(parameter.id), outOfRange(value), writeWithin(range)});
     Scene after = *m_scene;
     parameter.set(after, value);
+    if (gridOf(after.cloth) != gridOf(m_scene->cloth)) {
+        // From where the drag began: on its way it may pass through grids too coarse to tell pins apart.
+        after.cloth.pinned =
+            movedPins(sceneBefore(gesture).cloth, after.cloth.numWidthPoints, after.cloth.numHeightPoints);
+    }
     for (const Diagnostic& diagnostic : validate(after))
         if (diagnostic.severity == Severity::Error)
             return words(diagnostic);
@@ -80,6 +86,14 @@ std::optional<QString> Document::setParameter(const Parameter& parameter, double
     edit(tr("change %1").arg(QCoreApplication::translate("Parameter", label.toUtf8())), std::move(after),
          gesture);
     return std::nullopt;
+}
+
+const Scene& Document::sceneBefore(int gesture) const {
+    const auto* last =
+        m_undoStack.index() > 0
+            ? dynamic_cast<const EditSceneCommand*>(m_undoStack.command(m_undoStack.index() - 1))
+            : nullptr;
+    return last && gesture != 0 && last->gesture() == gesture ? last->otherScene() : *m_scene;
 }
 
 void Document::exchangeScene(std::shared_ptr<const Scene>& other) {

@@ -46,7 +46,8 @@ public:
     // gesture, not 0, merge into one step. Precondition: validate(after) has no errors.
     void edit(const QString& text, Scene after, int gesture = 0);
 
-    // edit() of one parameter. Does nothing but return why, in words, if the scene would not be valid.
+    // edit() of one parameter. Does nothing but return why, in words, if the scene would not be valid. With
+    // the number of points, pins move to where they were relative to the sheet.
     std::optional<QString> setParameter(const Parameter& parameter, double value, int gesture = 0);
 
     const Selection& selection() const { return m_selection; }
@@ -61,6 +62,7 @@ signals:
 private:
     friend class EditSceneCommand;
     void exchangeScene(std::shared_ptr<const Scene>& other);
+    const Scene& sceneBefore(int gesture) const;
     void replaceScene(Scene scene, const QString& path);
 
     std::shared_ptr<const Scene> m_scene;

@@ -16,6 +16,9 @@ public:
     int id() const override { return m_gesture == 0 ? -1 : 1; }
     bool mergeWith(const QUndoCommand* command) override;
 
+    int gesture() const { return m_gesture; }
+    const Scene& otherScene() const { return *m_other; } // the one before, while the command is done
+
 private:
     Document& m_document;
     std::shared_ptr<const Scene> m_other;

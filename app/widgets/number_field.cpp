@@ -4,6 +4,7 @@
 #include "app/widgets/number_text.h"
 #include "app/widgets/theme.h"
 
+#include <QApplication>
 #include <QEvent>
 #include <QKeyEvent>
 #include <QPainter>
@@ -328,6 +329,11 @@ void NumberField::paintEvent(QPaintEvent* event) {
     QPainter painter(this);
     painter.setPen(isEnabled() ? themeColors().dimText : themeColors().disabledText);
     painter.drawText(rect().adjusted(0, 0, -kUnitGap - 2, 0), Qt::AlignRight | Qt::AlignVCenter, m_unit);
+}
+
+void commitFocusedField() {
+    if (auto* field = qobject_cast<NumberField*>(QApplication::focusWidget()))
+        field->commit();
 }
 
 } // namespace clothlab

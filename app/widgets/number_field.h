@@ -91,4 +91,8 @@ private:
     QString m_unit;
 };
 
+// Takes what is typed in the field that has the focus, if one has: before a command that is carried out
+// without taking the focus away.
+void commitFocusedField();
+
 } // namespace clothlab

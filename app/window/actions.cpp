@@ -1,6 +1,7 @@
 #include "app/window/actions.h"
 
 #include "app/widgets/icons.h"
+#include "app/widgets/number_field.h"
 
 #include <QActionGroup>
 #include <QWidget>
@@ -30,6 +31,8 @@ QAction* Actions::add(const char* name, const QString& text, const QString& icon
     // Works wherever the focus is, floating docks included.
     action->setShortcutContext(Qt::ApplicationShortcut);
     m_window.addAction(action);
+    // Before anything else: buttons and keys leave the focus, and so what is being typed, where it is.
+    connect(action, &QAction::triggered, this, &commitFocusedField);
     return action;
 }
 

@@ -39,8 +39,7 @@ FileController::FileController(Document& document, QSettings& settings, QWidget&
 
 bool FileController::mayDiscard() {
     // What is typed and not yet taken belongs to the scene, too.
-    if (auto* field = qobject_cast<NumberField*>(QApplication::focusWidget()))
-        field->commit();
+    commitFocusedField();
     if (!m_document.isModified())
         return true;
     QMessageBox box(QMessageBox::Question, tr("Unsaved changes"),
@@ -102,8 +101,7 @@ bool FileController::saveAs() {
 }
 
 bool FileController::saveTo(const QString& path) {
-    if (auto* field = qobject_cast<NumberField*>(QApplication::focusWidget()))
-        field->commit();
+    commitFocusedField();
     if (const auto error = m_document.save(path)) {
         emit problem(tr("The scene was not saved. %1: %2").arg(QDir::toNativeSeparators(path), *error));
         return false;

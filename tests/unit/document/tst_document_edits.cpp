@@ -192,15 +192,29 @@ private slots:
         }
     }
 
-    void aSheetWithoutThePointOfAPinIsRefused() {
+    void pinsKeepTheirPlaceWhenTheNumberOfPointsChanges() {
         Document document; // hung up at [0, 0] and [49, 0]
-        const auto error = document.setParameter(parameter("cloth.num_width_points"), 49);
-        QVERIFY(error.has_value());
-        QVERIFY2(error->contains("cloth.pinned[1]") && error->contains("[49, 0]"), qPrintable(*error));
-        QVERIFY2(error->contains("from 0 to 48"), qPrintable(*error)); // what would do
-        QCOMPARE(document.scene().cloth.numWidthPoints, 50);
-        QVERIFY(!document.isModified());
-        QVERIFY(!document.setParameter(parameter("cloth.num_width_points"), 51));
+        QVERIFY(!document.setParameter(parameter("cloth.num_width_points"), 20));
+        QCOMPARE(document.scene().cloth.pinned, (std::vector<GridPoint>{{0, 0}, {19, 0}}));
+        QVERIFY(!document.setParameter(parameter("cloth.num_height_points"), 2));
+        QCOMPARE(document.scene().cloth.pinned, (std::vector<GridPoint>{{0, 0}, {19, 0}}));
+        document.undoStack().undo();
+        document.undoStack().undo();
+        QCOMPARE(document.scene().cloth.pinned, (std::vector<GridPoint>{{0, 0}, {49, 0}}));
+    }
+
+    void aDragThroughACoarseGridLosesNoPins() {
+        Document document;
+        Scene scene = document.scene();
+        scene.cloth.pinned = {{0, 0}, {1, 0}, {2, 0}, {30, 7}, {49, 49}};
+        document.edit("pins", scene);
+        QVERIFY(!document.setParameter(parameter("cloth.num_width_points"), 2, 7));
+        QCOMPARE(document.scene().cloth.pinned, (std::vector<GridPoint>{{0, 0}, {1, 7}, {1, 49}}));
+        QVERIFY(!document.setParameter(parameter("cloth.num_width_points"), 99, 7));
+        QCOMPARE(document.scene().cloth.pinned,
+                 (std::vector<GridPoint>{{0, 0}, {2, 0}, {4, 0}, {60, 7}, {98, 49}}));
+        QVERIFY(!document.setParameter(parameter("cloth.num_width_points"), 50, 7));
+        QCOMPARE(document.scene(), scene);
     }
 
     void tooManyPointsAreRefused() {
