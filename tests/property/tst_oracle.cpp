@@ -88,6 +88,7 @@ void TestOracle::courseSceneAsItIs() {
 void TestOracle::courseSceneThrown() {
     QFETCH(QString, file);
     const Start start = thrownCourseScene(file);
+    QVERIFY2(start.state.size() > 0, "the scene does not load");
     const OracleRun run = runBeside(start, kOracleSteps);
     qInfo("%s", run.describe().c_str());
     const std::string wrong = disagreement(start, run);
@@ -107,6 +108,7 @@ void TestOracle::courseSceneFolded_data() {
 void TestOracle::courseSceneFolded() {
     QFETCH(QString, file);
     const Start start = foldedCourseScene(file);
+    QVERIFY2(start.state.size() > 0, "the scene does not load");
     const OracleRun run = runBeside(start, kOracleSteps);
     qInfo("%s", run.describe().c_str());
     const std::string wrong = disagreement(start, run);
