@@ -112,6 +112,7 @@ private slots:
     void pausingDropsWhatIsComputedAhead() {
         Scene slow = test::tinyScene();
         slow.simulation.framesPerSecond = 1;
+        slow.simulation.stepsPerFrame = 1000;
         Run run(slow);
         run.simulation.play();
         // The first frame is shown at once; the second is there long before its second is over.
