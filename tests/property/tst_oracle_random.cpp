@@ -35,8 +35,7 @@ void TestOracleRandom::randomRuns() {
     const OracleRun run = runBeside(start, kOracleSteps);
     const std::string text = made.describe() + ": " + run.describe();
     qInfo("%s", text.c_str());
-    const std::string wrong = disagreement(start, run);
-    QVERIFY2(wrong.empty(), (made.describe() + ": " + wrong).c_str());
+    QVERIFY2(run.distance == 0 && run.strainLimits == run.counts.strainLimits, text.c_str());
     QVERIFY2(made.trial != Trial::Folded || run.counts.selfCollisions > 0, text.c_str());
     QVERIFY2(made.trial != Trial::OnSphere || run.counts.sphereContacts > 0, text.c_str());
     QVERIFY2(made.trial != Trial::OnPlane || run.counts.planeContacts > 0, text.c_str());

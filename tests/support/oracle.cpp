@@ -1,5 +1,6 @@
 #include "tests/support/oracle.h"
 
+#include <algorithm>
 #include <cmath>
 #include <unordered_map>
 
@@ -22,19 +23,23 @@ struct CellHash {
 
 using CellMap = std::unordered_map<CellIndex, std::vector<int>, CellHash>;
 
+double lengthSquared(const Vec3& v) {
+    return v.x() * v.x() + v.y() * v.y() + v.z() * v.z();
+}
+
 // Adds what the pair asks of the first point, if it is near enough.
 void partFrom(const Vec3& point, const Vec3& other, double distance, Correction& correction) {
     const Vec3 apart = point - other;
-    const double length = apart.norm();
-    if (length == 0 || length >= distance)
+    if (lengthSquared(apart) == 0 || lengthSquared(apart) >= distance * distance)
         return;
-    correction.vector += (distance - length) * (apart / length);
+    const double length = std::sqrt(lengthSquared(apart));
+    correction.vector += (distance - length) / length * apart;
     ++correction.neighbours;
 }
 
 void takeMean(Correction& correction, double share) {
     if (correction.neighbours > 0)
-        correction.vector = correction.vector / correction.neighbours * share;
+        correction.vector *= share / correction.neighbours;
 }
 
 } // namespace
@@ -67,18 +72,21 @@ std::vector<Correction> selfCollisionHashed(const std::vector<PointMass>& points
         map[cells.back()].push_back(int(i));
     }
     std::vector<Correction> corrections(points.size());
+    std::vector<int> near;
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (points[i].pinned)
             continue;
+        near.clear();
         for (int n = 0; n < 27; ++n) {
             const auto found =
                 map.find({cells[i].x + n % 3 - 1, cells[i].y + n / 3 % 3 - 1, cells[i].z + n / 9 - 1});
-            if (found == map.end())
-                continue;
-            for (const int j : found->second)
-                if (j != int(i))
-                    partFrom(points[i].position, points[std::size_t(j)].position, distance, corrections[i]);
+            if (found != map.end())
+                near.insert(near.end(), found->second.begin(), found->second.end());
         }
+        std::sort(near.begin(), near.end());
+        for (const int j : near)
+            if (j != int(i))
+                partFrom(points[i].position, points[std::size_t(j)].position, distance, corrections[i]);
         takeMean(corrections[i], share);
     }
     return corrections;
@@ -116,10 +124,10 @@ void Cloth::computeForces() {
         PointMass& a = points[std::size_t(s.a)];
         PointMass& b = points[std::size_t(s.b)];
         const Vec3 ab = b.position - a.position;
-        const double length = ab.norm();
+        const double length = std::sqrt(lengthSquared(ab));
         if (length == 0)
             continue; // no direction to pull in
-        const Vec3 force = s.stiffness * (length - s.restLength) * (ab / length);
+        const Vec3 force = s.stiffness * (length - s.restLength) / length * ab;
         a.force += force;
         b.force -= force;
     }
@@ -132,7 +140,7 @@ void Cloth::moveByVerlet() {
     for (PointMass& p : points) {
         if (p.pinned)
             continue;
-        const Vec3 next = p.position + kept * (p.position - p.lastPosition) + p.force / m_pointMass * dt * dt;
+        const Vec3 next = p.position + kept * (p.position - p.lastPosition) + dt * dt / m_pointMass * p.force;
         p.lastPosition = p.position;
         p.position = next;
     }
@@ -153,9 +161,9 @@ void Cloth::moveApart() {
 void Cloth::collideWithSphere(const Sphere& sphere) {
     for (PointMass& p : points) {
         const Vec3 out = p.position - sphere.origin;
-        const double distance = out.norm();
-        if (p.pinned || distance >= sphere.radius)
+        if (p.pinned || out.squaredNorm() >= sphere.radius * sphere.radius)
             continue;
+        const double distance = out.norm();
         const Vec3 direction = distance == 0 ? Vec3(0, 1, 0) : Vec3(out / distance);
         const Vec3 tangent = sphere.origin + sphere.radius * direction;
         p.position = p.lastPosition + (1 - sphere.friction) * (tangent - p.lastPosition);
@@ -165,7 +173,7 @@ void Cloth::collideWithSphere(const Sphere& sphere) {
 
 void Cloth::collideWithPlane(const Plane& plane) {
     const double kAbove = 0.0001;
-    const Vec3 normal = plane.normal / plane.normal.norm();
+    const Vec3 normal = plane.normal.stableNormalized();
     for (PointMass& p : points) {
         const double height = normal.dot(p.position - plane.point);
         const double lastHeight = normal.dot(p.lastPosition - plane.point);
@@ -188,11 +196,11 @@ void Cloth::limitStrain() {
         if (!enabled(s.type) || (a.pinned && b.pinned))
             continue;
         const Vec3 ab = b.position - a.position;
-        const double length = ab.norm();
         const double limit = 1.1 * s.restLength;
-        if (length <= limit)
+        if (ab.squaredNorm() <= limit * limit)
             continue;
-        const Vec3 excess = (length - limit) * (ab / length);
+        const double length = ab.norm();
+        const Vec3 excess = (length - limit) / length * ab;
         const double shareOfA = a.pinned ? 0 : b.pinned ? 1 : 0.5;
         a.position += shareOfA * excess;
         b.position -= (1 - shareOfA) * excess;

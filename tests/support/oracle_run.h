@@ -16,10 +16,8 @@ struct Start {
 };
 
 struct OracleRun {
-    // m, after the last step. Infinite if simcore reported a blow-up.
+    // m, the greatest of any point after the last step. Infinite if simcore reported a blow-up.
     double distance = 0;
-    // m, the worst of all steps where the oracle took each step from simcore's state.
-    double distanceInOneStep = 0;
     int steps = 0; // compared
     oracle::Counts counts;
     std::int64_t strainLimits = 0; // as simcore counts them
@@ -28,14 +26,5 @@ struct OracleRun {
 };
 
 OracleRun runBeside(const Start& start, int steps);
-
-// Points that bounce on a plane or crowd in a fold double any rounding error every few steps, whoever
-// computes them, so that two right answers part. This is for how many steps the oracle stays within `limit`
-// metres of itself started one bit away: so long can anything be expected to stay near it.
-int predictableSteps(const Start& start, int steps, double limit);
-
-// What is wrong with a run that started there; empty if nothing is. A scene that amplifies rounding errors is
-// compared for as long as the oracle agrees with itself, and step by step to the end.
-std::string disagreement(const Start& start, const OracleRun& run);
 
 } // namespace clothlab
