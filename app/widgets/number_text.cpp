@@ -19,7 +19,7 @@ struct Decimal {
 };
 
 Decimal toDecimal(double value, int significant) {
-    std::array<char, 64> buffer;
+    std::array<char, 64> buffer{};
     char* const end = buffer.data() + buffer.size();
     const auto result =
         significant > 0 ? std::to_chars(buffer.data(), end, std::abs(value), std::chars_format::scientific,
@@ -86,7 +86,7 @@ double roundedToDigits(double value, int digits) {
     if (value == 0 || !std::isfinite(value)) {
         return value;
     }
-    std::array<char, 64> buffer;
+    std::array<char, 64> buffer{};
     const auto written = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
                                        std::chars_format::scientific, digits - 1);
     double rounded = value;

@@ -13,45 +13,45 @@ class Actions : public QObject {
 public:
     explicit Actions(QWidget& window);
 
-    QAction* newScene;
-    QAction* open;
-    QAction* save;
-    QAction* saveAs;
-    QAction* screenshot;
-    QAction* quit;
+    QAction* newScene = nullptr;
+    QAction* open = nullptr;
+    QAction* save = nullptr;
+    QAction* saveAs = nullptr;
+    QAction* screenshot = nullptr;
+    QAction* quit = nullptr;
 
-    QAction* playPause;
-    QAction* stepBack;
-    QAction* stepForward;
-    QAction* tenBack;
-    QAction* tenForward;
-    QAction* firstFrame;
-    QAction* lastFrame;
-    QAction* simulateFrame;
-    QAction* restart;
+    QAction* playPause = nullptr;
+    QAction* stepBack = nullptr;
+    QAction* stepForward = nullptr;
+    QAction* tenBack = nullptr;
+    QAction* tenForward = nullptr;
+    QAction* firstFrame = nullptr;
+    QAction* lastFrame = nullptr;
+    QAction* simulateFrame = nullptr;
+    QAction* restart = nullptr;
 
-    QAction* home;
-    QAction* frameSelection;
-    QAction* frameAll;
-    QAction* front;
-    QAction* back;
-    QAction* right;
-    QAction* left;
-    QAction* top;
-    QAction* bottom;
-    QAction* orthographic;
-    QAction* keepView;
-    QAction* fullScreen;
-    QAction* hidePanels;
-    QAction* resetLayout;
-    QAction* darkTheme;
-    QAction* lightTheme;
+    QAction* home = nullptr;
+    QAction* frameSelection = nullptr;
+    QAction* frameAll = nullptr;
+    QAction* front = nullptr;
+    QAction* back = nullptr;
+    QAction* right = nullptr;
+    QAction* left = nullptr;
+    QAction* top = nullptr;
+    QAction* bottom = nullptr;
+    QAction* orthographic = nullptr;
+    QAction* keepView = nullptr;
+    QAction* fullScreen = nullptr;
+    QAction* hidePanels = nullptr;
+    QAction* resetLayout = nullptr;
+    QAction* darkTheme = nullptr;
+    QAction* lightTheme = nullptr;
 
-    QAction* boxSelect;
-    QAction* clearSelection;
+    QAction* boxSelect = nullptr;
+    QAction* clearSelection = nullptr;
 
-    QAction* keys;
-    QAction* about;
+    QAction* keys = nullptr;
+    QAction* about = nullptr;
 
     // The icon and name of playPause.
     void showPlaying(bool playing);
