@@ -168,8 +168,8 @@ void addColliders(Entries& entries, std::string_view key, const std::vector<Coll
     if (colliders.size() == 1)
         return add(entries, key, object(entriesOf(colliders.front()), 1));
     std::vector<std::string> elements;
-    std::vector<std::string> elements;
     elements.reserve(colliders.size());
+    for (const Collider& collider : colliders)
         elements.push_back(object(entriesOf(collider), 2));
     if (!elements.empty())
         add(entries, key, list(elements, 1));
