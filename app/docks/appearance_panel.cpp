@@ -1,9 +1,11 @@
 #include "app/docks/appearance_panel.h"
 
 #include "app/widgets/parameter_row.h"
+#include "app/widgets/theme.h"
 
 #include <QColorDialog>
 #include <QFormLayout>
+#include <QPainter>
 
 namespace clothlab {
 namespace {
@@ -81,8 +83,10 @@ void AppearancePanel::setColor(const QColor& color, int gesture) {
 void AppearancePanel::showScene() {
     const Appearance& appearance = m_document.scene().appearance;
     showShader(*m_shader, QString::fromStdString(appearance.shader));
+    // Framed, so that white is seen on a light panel.
     QPixmap swatch(40, 24);
-    swatch.fill(colorOf(appearance));
+    swatch.fill(themeColors().dimText);
+    QPainter(&swatch).fillRect(swatch.rect().adjusted(2, 2, -2, -2), colorOf(appearance));
     m_color->setIcon(swatch);
     m_color->setText(colorOf(appearance).name());
     if (m_dialog && m_dialog->isVisible())
