@@ -35,10 +35,11 @@ void forEachSpring(const Grid& grid, Visit visit) {
 } // namespace
 
 std::array<double, kSpringTypes> maxStrain(const Sheet& sheet, const PointArray& position) {
+    const Cloth cloth; // strain depends on no parameter of it
     std::array<double, kSpringTypes> greatest{};
     std::array<bool, kSpringTypes> any{};
     forEachSpring(sheet.grid, [&](const Spring& spring) {
-        const double strain = measureSpring(Cloth{}, sheet, position, spring).strain;
+        const double strain = measureSpring(cloth, sheet, position, spring).strain;
         const auto type = std::size_t(spring.type());
         greatest[type] = any[type] ? std::max(greatest[type], strain) : strain;
         any[type] = true;
