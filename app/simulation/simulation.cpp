@@ -34,7 +34,7 @@ void Simulation::restart() {
     setPlaying(false);
     const Scene& scene = m_document.scene();
     ClothState start = startState(scene);
-    m_sheet = makeSheet(m_document.grid(), start.position);
+    m_sheet = {m_document.grid(), start.position};
     m_recording.restart(
         std::make_shared<const Frame>(Frame{std::move(start), m_document.snapshot(), 0, 0, 0}));
     m_firstStale = 1;

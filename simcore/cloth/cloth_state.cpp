@@ -38,22 +38,6 @@ ClothState startState(const Scene& scene) {
     return {points, points};
 }
 
-Sheet makeSheet(const Grid& grid, const PointArray& start) {
-    Sheet sheet{grid, {}};
-    for (std::size_t s = 0; s < kStencils.size(); ++s) {
-        const Stencil& stencil = kStencils[s];
-        const StencilRange range = grid.range(stencil);
-        sheet.restLength[s].resize(std::size_t(grid.pointCount()));
-        for (int y = range.yBegin; y < range.yEnd; ++y)
-            for (int x = range.xBegin; x < range.xEnd; ++x) {
-                const int a = grid.index(x, y);
-                const int b = grid.index(x + stencil.dx, y + stencil.dy);
-                sheet.restLength[s][std::size_t(a)] = (start.at(b) - start.at(a)).norm();
-            }
-    }
-    return sheet;
-}
-
 double pointMass(const Cloth& cloth) {
     return cloth.width * cloth.height * cloth.density / cloth.pointCount();
 }

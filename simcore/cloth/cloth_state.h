@@ -3,7 +3,6 @@
 
 #include "simcore/cloth/grid.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -33,15 +32,12 @@ struct ClothState {
     friend bool operator==(const ClothState&, const ClothState&) = default;
 };
 
-// What is fixed when a run starts.
+// What is fixed when a run starts. Springs and their rest lengths are computed, not stored.
 struct Sheet {
     Grid grid;
-    // By stencil, by the index of the point a spring starts from; 0 where no spring starts. Metres.
-    std::array<std::vector<double>, kStencils.size()> restLength;
+    PointArray start; // where the points were when their springs were at rest
 
-    double restLengthOf(const Spring& s) const {
-        return restLength[std::size_t(s.stencil)][std::size_t(s.a)];
-    }
+    double restLengthOf(const Spring& s) const { return (start.at(s.b) - start.at(s.a)).norm(); } // m
 };
 
 // Where the sheet starts, at rest. The unevenness of a vertical sheet is, for point after point in
@@ -49,8 +45,6 @@ struct Sheet {
 // 2014, "Fast splittable pseudorandom number generators") seeded with simulation.seed, shifted right by 11
 // and multiplied by 2^-53.
 ClothState startState(const Scene& scene);
-
-Sheet makeSheet(const Grid& grid, const PointArray& start);
 
 double pointMass(const Cloth& cloth);                  // kg
 double stiffness(const Cloth& cloth, SpringType type); // N/m, also of a type that is switched off

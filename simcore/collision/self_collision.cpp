@@ -1,179 +1,276 @@
 #include "simcore/collision/self_collision.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 namespace clothlab {
 namespace {
 
-constexpr double kSkin = 0.5; // as a share of the distance
-// On average a point. A sheet that crowds more is looked through without lists, which would take too much
-// memory.
-constexpr std::size_t kMostNeighbours = 128;
-
-// Adds up what one point's neighbours ask of it.
-class Correction {
-public:
-    Correction(const PointArray& position, std::size_t point, double distance)
-        : m_position(position), m_point(point), m_distance(distance) {}
-
-    void add(std::size_t other) {
-        const double dx = m_position.x[m_point] - m_position.x[other];
-        const double dy = m_position.y[m_point] - m_position.y[other];
-        const double dz = m_position.z[m_point] - m_position.z[other];
-        const double lengthSquared = dx * dx + dy * dy + dz * dz;
-        if (!(lengthSquared < m_distance * m_distance) || lengthSquared <= 0)
-            return;
-        const double length = std::sqrt(lengthSquared);
-        const double push = (m_distance - length) / length;
-        m_x += push * dx;
-        m_y += push * dy;
-        m_z += push * dz;
-        ++m_count;
-    }
-
-    bool store(double share, PointArray& correction) const {
-        const double scale = m_count > 0 ? share / m_count : 0;
-        correction.x[m_point] = m_x * scale;
-        correction.y[m_point] = m_y * scale;
-        correction.z[m_point] = m_z * scale;
-        return m_count > 0;
-    }
-
-private:
-    const PointArray& m_position;
-    std::size_t m_point;
-    double m_distance;
-    double m_x = 0, m_y = 0, m_z = 0;
-    int m_count = 0;
-};
-
-// Clamping keeps places that no integer can hold apart by at most the cells they were apart.
-std::int64_t cellCoordinate(double coordinate, double cellSize) {
-    constexpr double limit = 1e15;
-    return static_cast<std::int64_t>(std::floor(std::clamp(coordinate / cellSize, -limit, limit)));
-}
+// The skin, as a share of the distance, grows while lists do not last and shrinks while they do: it trades
+// making them against going through them.
+constexpr double kLeastSkin = 0.4;
+constexpr double kGreatestSkin = 0.9;
+constexpr int kShortLife = 12; // steps
+constexpr int kLongLife = 40;
+// On average a block of points. A sheet that crowds more is looked through without lists, which would take
+// too much memory.
+constexpr std::size_t kMostListed = 128;
 
 } // namespace
 
 void selfCollisionBruteForce(const PointArray& position, const std::vector<std::uint8_t>& pinned,
                              double distance, double share, PointArray& correction) {
-    for (std::size_t i = 0; i < position.size(); ++i) {
-        Correction sum(position, i, distance);
-        for (std::size_t j = 0; j < position.size() && !pinned[i]; ++j)
-            if (j != i)
-                sum.add(j);
-        sum.store(share, correction);
+    for (int i = 0; i < int(position.size()); ++i) {
+        Vec3 sum = Vec3::Zero();
+        int count = 0;
+        for (int j = 0; j < int(position.size()) && !pinned[std::size_t(i)]; ++j) {
+            const Vec3 apart = position.at(i) - position.at(j);
+            const double lengthSquared =
+                apart.x() * apart.x() + apart.y() * apart.y() + apart.z() * apart.z();
+            if (!(lengthSquared < distance * distance) || lengthSquared <= 0)
+                continue;
+            const double length = std::sqrt(lengthSquared);
+            sum += (distance - length) / length * apart;
+            ++count;
+        }
+        correction.set(i, count > 0 ? Vec3(sum * (share / count)) : Vec3(Vec3::Zero()));
     }
 }
 
-std::size_t SelfCollision::bucket(const Cell& cell) const {
-    // Large primes of Teschner et al.; the multiplication at the end mixes high bits into the low ones.
-    const std::uint64_t mixed = (std::uint64_t(cell.x) * 73856093U) ^ (std::uint64_t(cell.y) * 19349663U) ^
-                                (std::uint64_t(cell.z) * 83492791U);
-    return ((mixed * 0x9E3779B97F4A7C15U) >> 32U) & (m_begin.size() - 2);
+void SelfCollision::Pairs::reserve(std::size_t needed) {
+    if (pairs.size() < needed)
+        pairs.resize(std::max(2 * pairs.size(), needed));
 }
 
-// Counting sort of the points by bucket.
-void SelfCollision::sortIntoCells(const PointArray& position, double cellSize) {
-    const std::size_t n = position.size();
-    m_begin.assign(std::bit_ceil(2 * n + 2) + 1, 0);
-    m_cells.resize(n);
-    m_points.resize(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        m_cells[i] = {cellCoordinate(position.x[i], cellSize), cellCoordinate(position.y[i], cellSize),
-                      cellCoordinate(position.z[i], cellSize)};
-        ++m_begin[bucket(m_cells[i])];
+void SelfCollision::setSheet(const RowLayout& layout, const std::vector<RowRange>& bands) {
+    m_layout = layout;
+    m_arrays = RowArrays(layout, 3);
+    m_listedAt = m_arrays.points(0);
+    m_push.assign(std::size_t(layout.slots()), Push{});
+    m_bands.clear();
+    m_bands.resize(bands.size());
+    const std::size_t blocks = std::size_t(layout.width + RowLayout::kLanes - 1) / RowLayout::kLanes;
+    for (std::size_t n = 0; n < bands.size(); ++n) {
+        m_bands[n].rows = bands[n];
+        m_bands[n].listEnd.resize(std::size_t(bands[n].end - bands[n].begin) * blocks);
+        m_bands[n].adjacent.reserve(std::size_t(bands[n].end - bands[n].begin) * 4 *
+                                    std::size_t(layout.width));
     }
-    std::uint32_t end = 0;
-    for (std::uint32_t& begin : m_begin)
-        begin = end += begin;
-    for (std::size_t i = n; i-- > 0;)
-        m_points[--m_begin[bucket(m_cells[i])]] = std::uint32_t(i);
 }
 
-void SelfCollision::appendNeighbours(const PointArray& position, int point, double reach) {
-    const Cell centre = m_cells[std::size_t(point)];
-    const Vec3 p = position.at(point);
-    const auto first = std::ptrdiff_t(m_neighbours.size());
-    for (std::int64_t x = centre.x - 1; x <= centre.x + 1; ++x)
-        for (std::int64_t y = centre.y - 1; y <= centre.y + 1; ++y)
-            for (std::int64_t z = centre.z - 1; z <= centre.z + 1; ++z) {
-                const Cell cell{x, y, z};
-                const std::size_t b = bucket(cell);
-                for (std::uint32_t k = m_begin[b]; k < m_begin[b + 1]; ++k) {
-                    const std::uint32_t j = m_points[k];
-                    // A bucket may hold points of other cells; each cell is looked at once.
-                    if (int(j) != point && m_cells[j] == cell &&
-                        (p - position.at(int(j))).squaredNorm() < reach * reach)
-                        m_neighbours.push_back(j);
-                }
-            }
-    std::sort(m_neighbours.begin() + first, m_neighbours.end());
-}
-
-void SelfCollision::makeLists(const PointArray& position, double distance) {
-    const double reach = (1 + kSkin) * distance;
-    // Cells a little wider than the reach: rounding in the division must not part two points within it.
-    sortIntoCells(position, reach * (1 + 1e-9));
-    m_distance = -1;
-    m_neighbours.clear();
-    m_listEnd.resize(position.size());
-    for (std::size_t i = 0; i < position.size(); ++i) {
-        appendNeighbours(position, int(i), reach);
-        m_listEnd[i] = std::uint32_t(m_neighbours.size());
-        if (m_neighbours.size() > kMostNeighbours * position.size())
-            return;
+// The mean of a sample is near enough: this is no more than a guess at what serves best.
+std::array<double, 3> SelfCollision::commonMotion(ConstPointRows position) const {
+    constexpr int kSamples = 8; // along each side
+    std::array<double, 3> sum{};
+    for (int n = 0; n < kSamples * kSamples; ++n) {
+        const int slot = m_layout.slot((n % kSamples * 2 + 1) * m_layout.width / (2 * kSamples),
+                                       (n / kSamples * 2 + 1) * m_layout.height / (2 * kSamples));
+        sum[0] += position.x[slot] - m_listedAt.x[slot];
+        sum[1] += position.y[slot] - m_listedAt.y[slot];
+        sum[2] += position.z[slot] - m_listedAt.z[slot];
     }
-    m_listedAt = position;
-    m_distance = distance;
+    for (double& coordinate : sum)
+        coordinate /= kSamples * kSamples;
+    return sum;
 }
 
 // What all points have moved together brings none nearer to another, so a falling sheet keeps its lists.
-bool SelfCollision::listsHold(const PointArray& position, double distance) const {
-    const std::size_t n = position.size();
-    if (distance != m_distance || m_listedAt.size() != n)
+void SelfCollision::measure(int band, ConstPointRows position) {
+    Band& b = m_bands[std::size_t(band)];
+    const std::array<double, 3> motion = commonMotion(position);
+    b.commonMotion = std::abs(motion[0]) + std::abs(motion[1]) + std::abs(motion[2]);
+    b.farthestSquared = m_kernels->farthestSquared(m_layout, b.rows, position, m_listedAt, motion);
+}
+
+bool SelfCollision::listsHold(int band) {
+    Band& mine = m_bands[std::size_t(band)];
+    if (mine.listedDistance != m_distance)
         return false;
-    Vec3 together = Vec3::Zero();
-    for (std::size_t i = 0; i < n; ++i) {
-        together.x() += position.x[i] - m_listedAt.x[i];
-        together.y() += position.y[i] - m_listedAt.y[i];
-        together.z() += position.z[i] - m_listedAt.z[i];
-    }
-    together /= double(n);
     double farthestSquared = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-        const double dx = position.x[i] - m_listedAt.x[i] - together.x();
-        const double dy = position.y[i] - m_listedAt.y[i] - together.y();
-        const double dz = position.z[i] - m_listedAt.z[i] - together.z();
-        farthestSquared = std::max(farthestSquared, dx * dx + dy * dy + dz * dz);
-    }
-    // A little less than half the skin, for the rounding of these differences.
-    const double slack = 0.499 * kSkin * distance - 1e-12 * together.norm();
+    for (const Band& each : m_bands)
+        farthestSquared = std::max(farthestSquared, each.farthestSquared);
+    // A little less than half the skin, for the rounding of the differences.
+    const double slack = 0.499 * mine.skin * m_distance - 1e-12 * mine.commonMotion;
+    ++mine.age;
     return slack > 0 && farthestSquared < slack * slack;
 }
 
-int SelfCollision::corrections(const PointArray& position, const std::vector<std::uint8_t>& pinned,
-                               double distance, double share, PointArray& correction) {
-    if (!listsHold(position, distance))
-        makeLists(position, distance);
-    const bool listed = m_distance >= 0;
-    int corrected = 0;
-    std::uint32_t begin = 0;
-    for (std::size_t i = 0; i < position.size(); ++i) {
-        Correction sum(position, i, distance);
-        if (!listed) {
-            m_neighbours.clear();
-            appendNeighbours(position, int(i), distance);
+void SelfCollision::sortIntoCells(ConstPointRows position) {
+    if (m_bands.front().age < kShortLife)
+        m_skin = std::min(m_skin * 1.25, kGreatestSkin);
+    else if (m_bands.front().age > kLongLife)
+        m_skin = std::max(m_skin * 0.8, kLeastSkin);
+    m_cells.sort(position, m_layout, (1 + m_skin) * m_distance);
+}
+
+void SelfCollision::list(int band, ConstPointRows position) {
+    Band& b = m_bands[std::size_t(band)];
+    b.crowded = false;
+    b.listedDistance = m_distance;
+    b.skin = m_skin;
+    b.age = 0;
+    const std::size_t most = kMostListed * b.listEnd.size();
+    std::size_t count = 0, block = 0, longest = 0;
+    for (int y = b.rows.begin; y < b.rows.end && !b.crowded; ++y) {
+        for (int x = 0; x < m_layout.width; x += RowLayout::kLanes) {
+            const std::size_t end = listBlock(b, position, x, y, count);
+            longest = std::max(longest, end - count);
+            count = end;
+            b.listEnd[block++] = std::uint32_t(count);
         }
-        const auto end = listed ? m_listEnd[i] : std::uint32_t(m_neighbours.size());
-        for (std::uint32_t k = listed ? begin : 0; k < end && !pinned[i]; ++k)
-            sum.add(m_neighbours[k]);
-        begin = end;
-        corrected += sum.store(share, correction) ? 1 : 0;
+        b.crowded = count > most;
+        const int from = m_layout.slot(0, y);
+        std::copy_n(position.x + from, m_layout.width, m_listedAt.x + from);
+        std::copy_n(position.y + from, m_layout.width, m_listedAt.y + from);
+        std::copy_n(position.z + from, m_layout.width, m_listedAt.z + from);
     }
-    return corrected;
+    b.apart.reserve(RowLayout::kLanes * count);
+    if (b.search.found.size() < longest + 1)
+        b.search.found.resize(longest + 1);
+}
+
+// Writes the block's list to `listed` from `at` on; returns where it ends.
+std::size_t SelfCollision::listBlock(Band& band, ConstPointRows position, int x, int y,
+                                     std::size_t at) const {
+    const auto first = std::uint32_t(m_layout.slot(x, y));
+    const std::size_t found =
+        m_cells.near(*m_kernels, position, x, y, (1 + band.skin) * m_distance, first, band.search);
+    if (band.listed.size() < at + found + 1)
+        band.listed.resize(2 * (at + found + 1));
+    const unsigned points = (1U << unsigned(std::min(RowLayout::kLanes, m_layout.width - x))) - 1;
+    for (std::size_t n = 0; n < found; ++n) {
+        const NearBlock near = band.search.found[n];
+        const std::uint32_t ahead = near.slot - first;
+        const std::uint32_t row =
+            ahead - std::uint32_t(m_layout.stride) + 1; // 0: below and left of the first
+        const unsigned lower = ahead < RowLayout::kLanes ? (1U << ahead) - 1 : ~0U;
+        const unsigned beside = ahead <= RowLayout::kLanes ? (1U << ahead) >> 1U : 0;
+        const unsigned below = row <= RowLayout::kLanes + 1 ? (7U << row) >> 2U : 0;
+        band.listed[at] = {near.slot, near.lanes & points & lower & ~(beside | below)};
+        at += band.listed[at].lanes != 0 ? 1 : 0; // without a branch that nothing could predict
+    }
+    return at;
+}
+
+bool SelfCollision::crowded() const {
+    return std::ranges::any_of(m_bands, [](const Band& band) { return band.crowded; });
+}
+
+void SelfCollision::findPairs(int band, ConstPointRows position) {
+    Band& b = m_bands[std::size_t(band)];
+    if (crowded()) {
+        b.listedDistance = -1;
+        b.adjacent.count = b.apart.count = 0;
+        return;
+    }
+    b.adjacent.count =
+        m_kernels->adjacentPairs(m_layout, b.rows, position, m_distance, b.adjacent.pairs.data());
+    b.apart.count = m_kernels->listedPairs(m_layout, b.rows, {b.listEnd.data(), b.listed.data()}, position,
+                                           m_distance, b.search.found.data(), b.apart.pairs.data());
+}
+
+bool SelfCollision::anyPairs() const {
+    return crowded() || std::ranges::any_of(m_bands, [](const Band& band) {
+               return band.adjacent.count + band.apart.count > 0;
+           });
+}
+
+bool SelfCollision::owns(const Band& band, std::uint32_t slot) const {
+    return int(slot) >= m_layout.slot(0, band.rows.begin) && int(slot) < m_layout.slot(0, band.rows.end);
+}
+
+void SelfCollision::add(ConstPointRows position, std::uint32_t point, std::uint32_t other) {
+    const double dx = position.x[point] - position.x[other];
+    const double dy = position.y[point] - position.y[other];
+    const double dz = position.z[point] - position.z[other];
+    const double lengthSquared = dx * dx + dy * dy + dz * dz;
+    if (lengthSquared <= 0)
+        return;
+    const double length = std::sqrt(lengthSquared);
+    const double scale = (m_distance - length) / length;
+    Push& push = m_push[point];
+    push.x += scale * dx;
+    push.y += scale * dy;
+    push.z += scale * dz;
+    push.neighbours += 1;
+}
+
+void SelfCollision::addUp(int band, ConstPointRows position) {
+    Band& mine = m_bands[std::size_t(band)];
+    if (crowded()) {
+        addUpCrowded(mine, position);
+        return;
+    }
+    const auto take = [&](const SlotPair& pair) {
+        if (owns(mine, pair.a))
+            add(position, pair.a, pair.b);
+        if (owns(mine, pair.b))
+            add(position, pair.b, pair.a);
+    };
+    const auto key = [](const SlotPair& pair) { return std::uint64_t(pair.a) << 32U | pair.b; };
+    for (const Band& from : m_bands) { // both kinds of pairs, merged
+        const SlotPair* adjacent = from.adjacent.pairs.data();
+        const SlotPair* const adjacentEnd = adjacent + from.adjacent.count;
+        const SlotPair* apart = from.apart.pairs.data();
+        const SlotPair* const apartEnd = apart + from.apart.count;
+        while (adjacent != adjacentEnd && apart != apartEnd)
+            take(key(*adjacent) < key(*apart) ? *adjacent++ : *apart++);
+        std::for_each(adjacent, adjacentEnd, take);
+        std::for_each(apart, apartEnd, take);
+    }
+}
+
+void SelfCollision::addUpCrowded(Band& band, ConstPointRows position) {
+    std::vector<std::uint32_t>& near = band.neighbours;
+    for (int y = band.rows.begin; y < band.rows.end; ++y)
+        for (int x = 0; x < m_layout.width; x += RowLayout::kLanes) {
+            const std::size_t found = m_cells.near(*m_kernels, position, x, y, m_distance, 0, band.search);
+            for (int lane = 0; lane < std::min(RowLayout::kLanes, m_layout.width - x); ++lane) {
+                const auto point = std::uint32_t(m_layout.slot(x + lane, y));
+                near.clear();
+                for (std::size_t n = 0; n < found; ++n)
+                    if ((band.search.found[n].lanes >> unsigned(lane) & 1U) != 0)
+                        near.push_back(band.search.found[n].slot);
+                std::ranges::sort(near);
+                for (const std::uint32_t other : near)
+                    add(position, point, other); // itself is at the same place
+            }
+        }
+    near.resize(near.capacity());
+}
+
+void SelfCollision::move(std::uint32_t slot, PointRows position, double share) {
+    Push& push = m_push[slot];
+    if (push.neighbours > 0 && m_pinned[slot] == 0) {
+        const double scale = share / push.neighbours;
+        position.x[slot] += push.x * scale;
+        position.y[slot] += push.y * scale;
+        position.z[slot] += push.z * scale;
+    }
+    push = Push{};
+}
+
+void SelfCollision::apply(int band, PointRows position, double share) {
+    const Band& mine = m_bands[std::size_t(band)];
+    if (crowded()) {
+        for (int slot = m_layout.slot(0, mine.rows.begin); slot < m_layout.slot(0, mine.rows.end); ++slot)
+            move(std::uint32_t(slot), position, share);
+        return;
+    }
+    for (const Band& from : m_bands)
+        for (const Pairs* pairs : {&from.adjacent, &from.apart})
+            for (std::size_t n = 0; n < pairs->count; ++n)
+                for (const std::uint32_t end : {pairs->pairs[n].a, pairs->pairs[n].b})
+                    if (owns(mine, end))
+                        move(end, position, share);
+}
+
+std::size_t SelfCollision::bytes() const {
+    std::size_t sum = m_arrays.bytes() + m_push.size() * sizeof(Push) + m_cells.bytes();
+    for (const Band& band : m_bands)
+        sum += sizeof band + sizeof(NearBlock) * (band.listed.capacity() + band.search.found.capacity()) +
+               sizeof(SlotPair) * (band.adjacent.pairs.size() + band.apart.pairs.size());
+    return sum;
 }
 
 } // namespace clothlab

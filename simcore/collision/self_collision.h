@@ -1,8 +1,9 @@
-// Points of the sheet keep a distance from each other.
+// Points of the sheet keep a distance from each other (physics.md of the course's model, phase 3).
 #pragma once
 
-#include "simcore/cloth/cloth_state.h"
+#include "simcore/collision/cell_grid.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -17,37 +18,85 @@ namespace clothlab {
 void selfCollisionBruteForce(const PointArray& position, const std::vector<std::uint8_t>& pinned,
                              double distance, double share, PointArray& correction);
 
-// The same bits in linear time. Each point keeps a list of those within the distance and a skin (Verlet
-// 1967); the lists hold until two points may have come nearer to each other by as much as the skin, and are
-// then made anew by a hash of cells (Teschner et al. 2003, "Optimized spatial hashing for collision detection
-// of deformable objects"). The result does not depend on when that was. Holds its buffers, so that a step
-// allocates nothing unless the sheet crowds more than ever before.
+// The same bits in linear time. Points next to each other in the grid are always compared; other pairs are
+// listed that are within the distance and a skin (Verlet 1967), and the lists hold until two points may have
+// come nearer to each other by as much as the skin. The result does not depend on when they were made. Pairs
+// are gone through in the order of their ends, which is ascending for both of them.
+//
+// The sheet is cut into bands of rows, for as many threads: each function that takes a band works on that
+// band, at the same time as on the others if need be. All bands must have ended one function before any
+// begins the next. Holds its buffers, so that a step allocates nothing unless the sheet crowds more than ever
+// before.
 class SelfCollision {
 public:
-    // Returns how many points were corrected; correction is zero for the others.
-    int corrections(const PointArray& position, const std::vector<std::uint8_t>& pinned, double distance,
-                    double share, PointArray& correction);
+    explicit SelfCollision(const Kernels& kernels) : m_kernels(&kernels) {}
+
+    void setSheet(const RowLayout& layout, const std::vector<RowRange>& bands); // forgets all lists
+    void setPinned(const std::uint8_t* pinned) { m_pinned = pinned; } // by slot, 1 or 0; must outlive this
+    void setDistance(double distance) { m_distance = distance; }      // m; greater than 0
+
+    // 1: how far points have moved since the lists were made; whether they hold is then the same for all
+    // bands.
+    void measure(int band, ConstPointRows position);
+    bool listsHold(int band);
+
+    // 2, where they do not: by one thread, then by all.
+    void sortIntoCells(ConstPointRows position);
+    void list(int band, ConstPointRows position);
+
+    // 3: which pairs are too near, what they ask of each point, and its being done.
+    void findPairs(int band, ConstPointRows position);
+    bool anyPairs() const;
+    void addUp(int band, ConstPointRows position);
+    void apply(int band, PointRows position, double share);
+
+    std::size_t bytes() const;
 
 private:
-    struct Cell {
-        std::int64_t x, y, z;
-        friend bool operator==(const Cell&, const Cell&) = default;
+    // What a point's neighbours ask of it.
+    struct Push {
+        double x, y, z;
+        double neighbours;
     };
-    bool listsHold(const PointArray& position, double distance) const;
-    void makeLists(const PointArray& position, double distance);
-    void sortIntoCells(const PointArray& position, double cellSize);
-    void appendNeighbours(const PointArray& position, int point, double reach);
-    std::size_t bucket(const Cell& cell) const;
+    // The first `count` are in use.
+    struct Pairs {
+        std::vector<SlotPair> pairs;
+        std::size_t count = 0;
+        void reserve(std::size_t needed);
+    };
+    struct alignas(64) Band {
+        RowRange rows;
+        double listedDistance = -1; // for which the lists were made; negative: there are none
+        double skin = 0;            // of the lists, as a share of the distance
+        int age = 0;                // of the lists, in steps
+        double farthestSquared = 0; // that a point has moved since
+        double commonMotion = 0;    // that does not count in it
+        bool crowded = false;       // too many pairs to list
+        // Within the skin, above the block's point and not next to it in the grid: block after block.
+        std::vector<std::uint32_t> listEnd;
+        std::vector<NearBlock> listed;
+        Pairs adjacent, apart; // too near: next to each other in the grid, and not
+        CellGrid::Search search;
+        std::vector<std::uint32_t> neighbours; // of one point
+    };
+    std::array<double, 3> commonMotion(ConstPointRows position) const;
+    bool crowded() const;
+    std::size_t listBlock(Band& band, ConstPointRows position, int x, int y, std::size_t at) const;
+    bool owns(const Band& band, std::uint32_t slot) const;
+    void add(ConstPointRows position, std::uint32_t point, std::uint32_t other);
+    void addUpCrowded(Band& band, ConstPointRows position);
+    void move(std::uint32_t slot, PointRows position, double share);
 
-    double m_distance = -1; // for which the lists were made; negative: there are none
-    PointArray m_listedAt;  // where the points were then
-    std::vector<std::uint32_t>
-        m_listEnd; // of each point's list in m_neighbours; it begins where the last ends
-    std::vector<std::uint32_t> m_neighbours; // ascending within each list
-
-    std::vector<Cell> m_cells;           // of each point
-    std::vector<std::uint32_t> m_begin;  // of each bucket in m_points, one more at the end
-    std::vector<std::uint32_t> m_points; // sorted by bucket
+    const Kernels* m_kernels;
+    RowLayout m_layout;
+    const std::uint8_t* m_pinned = nullptr;
+    double m_distance = 0;
+    RowArrays m_arrays;
+    PointRows m_listedAt; // where the points were when the lists were made
+    CellGrid m_cells;
+    double m_skin = 0.5;      // of the lists to make next
+    std::vector<Push> m_push; // by slot; all zero between steps
+    std::vector<Band> m_bands;
 };
 
 } // namespace clothlab

@@ -5,19 +5,13 @@
 namespace clothlab {
 
 FrameResult runFrame(VerletSolver& solver, ClothState& state, const std::atomic<bool>& stop) {
+    const int steps = solver.scene().simulation.stepsPerFrame;
+    const RunResult run = solver.run(state, steps, stop);
     FrameResult result;
-    for (int step = 1; step <= solver.scene().simulation.stepsPerFrame; ++step) {
-        if (stop.load(std::memory_order_relaxed))
-            return result;
-        const StepResult done = solver.step(state);
-        result.strainLimitCorrections += done.strainLimitCorrections;
-        if (done.blowUp) {
-            result.blowUp = done.blowUp;
-            result.blowUpStep = step;
-            return result;
-        }
-    }
-    result.finished = true;
+    result.finished = run.steps == steps;
+    result.strainLimitCorrections = run.strainLimitCorrections;
+    result.blowUp = run.blowUp;
+    result.blowUpStep = run.blowUp ? run.steps + 1 : 0;
     return result;
 }
 

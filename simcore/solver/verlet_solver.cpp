@@ -1,10 +1,32 @@
 #include "simcore/solver/verlet_solver.h"
 
-#include "simcore/collision/colliders.h"
-
+#include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <thread>
+#include <utility>
 
 namespace clothlab {
+namespace {
+
+int threadsFor(const RowLayout& layout, const SolverSettings& settings) {
+    const int most = settings.threads > 0 ? settings.threads : int(std::thread::hardware_concurrency());
+    const int worth = layout.width * layout.height / std::max(1, settings.leastPointsPerThread);
+    return std::clamp(std::min(most, worth), 1, layout.height);
+}
+
+// The first point that has moved limit or more since its last position, or has no finite place.
+std::optional<int> firstRunaway(const ClothState& state, double limit) {
+    for (int i = 0; i < int(state.size()); ++i) {
+        const Vec3 moved = state.position.at(i) - state.lastPosition.at(i);
+        const double squared = moved.x() * moved.x() + moved.y() * moved.y() + moved.z() * moved.z();
+        if (!(squared < limit * limit))
+            return i;
+    }
+    return std::nullopt;
+}
+
+} // namespace
 
 std::string_view name(Phase phase) {
     constexpr std::array<std::string_view, 5> names{"forces", "Verlet", "self-collision", "colliders",
@@ -12,15 +34,35 @@ std::string_view name(Phase phase) {
     return names[std::size_t(phase)];
 }
 
-VerletSolver::VerletSolver(const Scene& scene) {
-    const Grid grid = gridOf(scene.cloth);
-    const auto n = std::size_t(grid.pointCount());
-    m_scene = scene;
-    m_sheet = makeSheet(grid, startState(scene).position);
-    m_force = PointArray(n);
-    m_correction = PointArray(n);
-    m_row = PointArray(std::size_t(grid.width));
+VerletSolver::VerletSolver(const Scene& scene, const SolverSettings& settings)
+    : m_scene(scene), m_settings(settings), m_sheet{gridOf(scene.cloth), startState(scene).position},
+      m_kernels(&kernelsFor(settings.instructionSet)), m_selfCollision(*m_kernels) {
+    const RowLayout layout(m_sheet.grid);
+    m_arrays = RowArrays(layout, 6);
+    m_restRows = RestRows(m_sheet, layout);
+    m_data.layout = layout;
+    m_data.position = m_arrays.points(0);
+    m_data.last = m_arrays.points(3);
+    for (int s = 0; s < int(kStencils.size()); ++s)
+        m_data.restLength[std::size_t(s)] = m_restRows.of(s);
+    makeMembers(threadsFor(layout, settings));
     setScene(scene);
+}
+
+void VerletSolver::makeMembers(int count) {
+    m_members.reserve(std::size_t(count));
+    const int rows = m_data.layout.height;
+    for (int m = 0; m < count; ++m)
+        m_members.emplace_back(
+            RowRange{int(std::int64_t(rows) * m / count), int(std::int64_t(rows) * (m + 1) / count)},
+            m_data.layout);
+    std::vector<RowRange> bands;
+    for (const Member& member : m_members)
+        bands.push_back(member.rows);
+    m_selfCollision.setSheet(m_data.layout, bands);
+    m_job = [this](int member) { work(member); };
+    m_barrier = std::make_unique<Barrier>(count);
+    m_team = std::make_unique<WorkerTeam>(count);
 }
 
 void VerletSolver::setScene(const Scene& scene) {
@@ -28,85 +70,247 @@ void VerletSolver::setScene(const Scene& scene) {
     m_scene = scene;
     m_pinned = pinnedMask(scene.cloth);
     m_pointMass = clothlab::pointMass(scene.cloth);
+    setPinnedSlots();
+    for (std::size_t s = 0; s < kStencils.size(); ++s) {
+        m_data.enabled[s] = scene.cloth.enabled(kStencils[s].type);
+        m_data.stiffness[s] = stiffness(scene.cloth, kStencils[s].type);
+    }
+    const double dt = scene.simulation.timeStep();
+    for (int axis = 0; axis < 3; ++axis)
+        m_data.weight[std::size_t(axis)] = m_pointMass * scene.simulation.gravity[axis] + 0.0; // not -0
+    m_data.keep = 1 - scene.cloth.damping / 100;
+    m_data.gain = dt * dt / m_pointMass;
     // Ten times around the sheet in one step is far beyond anything that cloth does at a useful step size.
-    m_runawayDistance = 10 * (scene.cloth.width + scene.cloth.height);
+    m_data.runawayDistance = 10 * (scene.cloth.width + scene.cloth.height);
+    m_spheres.clear();
+    for (const Sphere& s : scene.spheres)
+        m_spheres.push_back({s.origin.x(), s.origin.y(), s.origin.z(), s.radius, s.friction});
+    m_planes.clear();
+    for (const Plane& p : scene.planes) {
+        const Vec3 normal = p.normal.stableNormalized();
+        m_planes.push_back(
+            {p.point.x(), p.point.y(), p.point.z(), normal.x(), normal.y(), normal.z(), p.friction});
+    }
+    m_selfCollision.setDistance(2 * scene.cloth.thickness);
+    m_strainPipeline.configure(threads(), m_data);
 }
 
-void VerletSolver::verlet(ClothState& state) {
-    const double dt = m_scene.simulation.timeStep();
-    const double keep = 1 - m_scene.cloth.damping / 100;
-    const double gain = dt * dt / m_pointMass;
-    const auto advance = [&](std::vector<double>& position, std::vector<double>& last,
-                             const std::vector<double>& force) {
-        for (std::size_t i = 0; i < position.size(); ++i) {
-            const double current = position[i];
-            const double next = current + keep * (current - last[i]) + gain * force[i];
-            position[i] = m_pinned[i] ? current : next;
-            last[i] = current;
-        }
-    };
-    advance(state.position.x, state.lastPosition.x, m_force.x);
-    advance(state.position.y, state.lastPosition.y, m_force.y);
-    advance(state.position.z, state.lastPosition.z, m_force.z);
+// What lies around the points counts as pinned: nothing moves it.
+void VerletSolver::setPinnedSlots() {
+    const RowLayout& layout = m_data.layout;
+    const std::size_t before =
+        std::size_t(RowLayout::kRowsBefore) * std::size_t(layout.stride) + RowLayout::kLanes;
+    m_pinnedSlots.assign(
+        before + std::size_t(layout.slots() + RowLayout::kRowsAfter * layout.stride) + RowLayout::kLanes, 1);
+    m_data.pinned = m_pinnedSlots.data() + before;
+    for (int y = 0; y < layout.height; ++y)
+        std::copy_n(m_pinned.begin() + std::ptrdiff_t(y) * layout.width, layout.width,
+                    m_pinnedSlots.begin() + std::ptrdiff_t(before) + layout.slot(0, y));
+    m_selfCollision.setPinned(m_data.pinned);
 }
 
-void VerletSolver::selfCollide(ClothState& state) {
-    const double distance = 2 * m_scene.cloth.thickness;
-    const double share = 1.0 / m_scene.simulation.stepsPerFrame;
-    if (m_selfCollision.corrections(state.position, m_pinned, distance, share, m_correction) == 0)
+void VerletSolver::store(ClothState& state) const {
+    copyFromRows(m_data.position, m_data.layout, state.position);
+    copyFromRows(m_data.last, m_data.layout, state.lastPosition);
+}
+
+// The shares of one member in each phase. Between two phases all members meet.
+
+void VerletSolver::collideWithItself(int member, const StepData& data) {
+    SelfCollision& self = m_selfCollision;
+    self.measure(member, data.position);
+    m_barrier->wait();
+    if (!self.listsHold(member)) {
+        if (member == 0)
+            self.sortIntoCells(data.position);
+        m_barrier->wait();
+        self.list(member, data.position);
+        m_barrier->wait();
+    }
+    self.findPairs(member, data.position);
+    m_barrier->wait();
+    if (!self.anyPairs())
         return;
-    for (std::size_t i = 0; i < state.size(); ++i) {
-        state.position.x[i] += m_correction.x[i];
-        state.position.y[i] += m_correction.y[i];
-        state.position.z[i] += m_correction.z[i];
+    self.addUp(member, data.position);
+    m_barrier->wait();
+    self.apply(member, data.position, 1.0 / m_scene.simulation.stepsPerFrame);
+}
+
+void VerletSolver::collide(const Member& member, const StepData& data) const {
+    for (const SphereData& sphere : m_spheres)
+        m_kernels->collideSphere(data, member.rows, sphere);
+    for (const PlaneData& plane : m_planes)
+        m_kernels->collidePlane(data, member.rows, plane);
+}
+
+void VerletSolver::limitStrain(int member, int step, const StepData& data) {
+    const StrainPipeline::Result result = m_strainPipeline.run(member, step, data, *m_kernels);
+    m_members[std::size_t(member)].strainLimitCorrections += result.corrections;
+    m_members[std::size_t(member)].runawayAtEnd = result.runaway;
+}
+
+bool VerletSolver::anyRunaway(int Member::*when) const {
+    return std::ranges::any_of(m_members, [=](const Member& member) { return member.*when >= 0; });
+}
+
+void VerletSolver::work(int number) {
+    Member& member = m_members[std::size_t(number)];
+    StepData data = m_data;
+    int step = 0;
+    for (; step < m_steps; ++step) {
+        member.runaway = m_kernels->verletRows(data, member.rows, member.forces);
+        std::swap(data.position, data.last);
+        m_barrier->wait();
+        // Before anything looks for neighbours: what is not a number has no cell, and would spread.
+        if (anyRunaway(&Member::runaway))
+            break;
+        if (m_scene.cloth.thickness > 0)
+            collideWithItself(number, data);
+        collide(member, data);
+        m_barrier->wait();
+        limitStrain(number, step, data);
+        if (number == 0)
+            m_stopping = m_stop->load(std::memory_order_relaxed);
+        m_barrier->wait();
+        if (anyRunaway(&Member::runawayAtEnd))
+            break;
+        if (m_stopping && ++step > 0)
+            break;
+    }
+    if (number == 0) {
+        m_stepsDone = step;
+        m_data.position = data.position;
+        m_data.last = data.last;
     }
 }
 
-std::optional<int> VerletSolver::firstRunaway(const ClothState& state) const {
-    const PointArray& p = state.position;
-    const PointArray& last = state.lastPosition;
-    const double limit = m_runawayDistance * m_runawayDistance;
-    const auto within = [&](std::size_t i) {
-        const double dx = p.x[i] - last.x[i];
-        const double dy = p.y[i] - last.y[i];
-        const double dz = p.z[i] - last.z[i];
-        return dx * dx + dy * dy + dz * dz < limit; // false for NaN
-    };
-    int outside = 0;
-    for (std::size_t i = 0; i < p.size(); ++i)
-        outside += within(i) ? 0 : 1;
-    for (std::size_t i = 0; i < p.size() && outside > 0; ++i)
-        if (!within(i))
-            return int(i);
-    return std::nullopt;
+void VerletSolver::begin(const ClothState& state) {
+    copyToRows(state.position, m_data.layout, m_data.position);
+    copyToRows(state.lastPosition, m_data.layout, m_data.last);
+    m_strainPipeline.restart();
+    for (Member& member : m_members) {
+        member.runaway = member.runawayAtEnd = -1;
+        member.strainLimitCorrections = 0;
+    }
+}
+
+RunResult VerletSolver::run(ClothState& state, int steps, const std::atomic<bool>& stop) {
+    RunResult result;
+    if (steps <= 0 || stop.load(std::memory_order_relaxed))
+        return result;
+    begin(state);
+    m_steps = steps;
+    m_stop = &stop;
+    m_team->run(m_job);
+    result.steps = m_stepsDone;
+    for (const Member& member : m_members)
+        result.strainLimitCorrections += member.strainLimitCorrections;
+    if (anyRunaway(&Member::runaway) || anyRunaway(&Member::runawayAtEnd))
+        result.blowUp = findBlowUp(state, m_stepsDone);
+    else
+        store(state);
+    return result;
 }
 
 StepResult VerletSolver::step(ClothState& state, const PhaseObserver* observer) {
-    const auto watch = [&](Phase phase) {
-        if (observer)
-            (*observer)(phase, state);
-    };
-    forces(state.position, m_force);
-    watch(Phase::Forces);
-    verlet(state);
-    watch(Phase::Verlet);
-    // Before anything looks for neighbours: a NaN has no cell, and would spread.
-    if (const auto point = firstRunaway(state))
-        return {0, BlowUp{Phase::Verlet, *point}};
+    if (observer)
+        return watchedStep(state, *observer);
+    const std::atomic<bool> stop = false;
+    const RunResult result = run(state, 1, stop);
+    return {int(result.strainLimitCorrections), result.blowUp};
+}
 
-    if (m_scene.cloth.thickness > 0)
-        selfCollide(state);
-    watch(Phase::SelfCollision);
-    for (const Sphere& sphere : m_scene.spheres)
-        collide(sphere, m_pinned, state);
-    for (const Plane& plane : m_scene.planes)
-        collide(plane, m_pinned, state);
-    watch(Phase::Colliders);
-    const int corrections = limitStrain(state);
-    watch(Phase::StrainLimit);
-    if (const auto point = firstRunaway(state))
-        return {corrections, BlowUp{Phase::StrainLimit, *point}};
-    return {corrections, std::nullopt};
+// The steps before the one that blew up once more, and that one phase by phase.
+BlowUp VerletSolver::findBlowUp(ClothState state, int steps) {
+    const std::atomic<bool> stop = false;
+    run(state, steps, stop);
+    const StepResult result = watchedStep(state, [](Phase, const ClothState&) {});
+    assert(result.blowUp);
+    return result.blowUp.value_or(BlowUp{Phase::StrainLimit, 0});
+}
+
+StepResult VerletSolver::watchedStep(ClothState& state, const PhaseObserver& observer) {
+    begin(state);
+    ClothState now = state;
+    std::optional<BlowUp> first;
+    const auto watch = [&](Phase phase) {
+        observer(phase, now);
+        if (const auto point = firstRunaway(now, m_data.runawayDistance); point && !first)
+            first = BlowUp{phase, *point};
+    };
+    const auto share = [&](Phase phase, const std::function<void(int)>& job) {
+        m_team->run(job);
+        store(now);
+        watch(phase);
+    };
+
+    observer(Phase::Forces, now);
+    first = firstWithoutForce(state.position);
+    m_team->run([&](int m) {
+        Member& member = m_members[std::size_t(m)];
+        member.runaway = m_kernels->verletRows(m_data, member.rows, member.forces);
+    });
+    std::swap(m_data.position, m_data.last);
+    store(now);
+    watch(Phase::Verlet);
+    if (anyRunaway(&Member::runaway))
+        return {0, first};
+    share(Phase::SelfCollision, [&](int m) {
+        if (m_scene.cloth.thickness > 0)
+            collideWithItself(m, m_data);
+    });
+    share(Phase::Colliders, [&](int m) { collide(m_members[std::size_t(m)], m_data); });
+    share(Phase::StrainLimit, [&](int m) { limitStrain(m, 0, m_data); });
+
+    StepResult result;
+    for (const Member& member : m_members)
+        result.strainLimitCorrections += int(member.strainLimitCorrections);
+    if (anyRunaway(&Member::runawayAtEnd))
+        result.blowUp = first;
+    else
+        state = std::move(now);
+    return result;
+}
+
+// The first point that the forces on it would throw out of all bounds.
+std::optional<BlowUp> VerletSolver::firstWithoutForce(const PointArray& position) const {
+    PointArray force(position.size());
+    forces(position, force);
+    for (int i = 0; i < int(force.size()); ++i)
+        if (m_pinned[std::size_t(i)] == 0 && !force.at(i).allFinite())
+            return BlowUp{Phase::Forces, i};
+    return std::nullopt;
+}
+
+void VerletSolver::forces(const PointArray& position, PointArray& force) const {
+    const Vec3 weight = m_pointMass * m_scene.simulation.gravity;
+    for (int i = 0; i < int(position.size()); ++i)
+        force.set(i, weight);
+    const int springs = m_sheet.grid.springCount();
+    for (int number = 0; number < springs; ++number) {
+        const Spring spring = m_sheet.grid.spring(number);
+        if (!m_scene.cloth.enabled(spring.type()))
+            continue;
+        const Vec3 along = position.at(spring.b) - position.at(spring.a);
+        const double length =
+            std::sqrt(along.x() * along.x() + along.y() * along.y() + along.z() * along.z());
+        // A spring without length has no direction to pull in.
+        if (!(length > 0) && !std::isnan(length))
+            continue;
+        const double pull =
+            m_data.stiffness[std::size_t(spring.stencil)] * (length - m_sheet.restLengthOf(spring));
+        const Vec3 f = pull / length * along;
+        force.set(spring.a, force.at(spring.a) + f);
+        force.set(spring.b, force.at(spring.b) - f);
+    }
+}
+
+std::size_t VerletSolver::bytes() const {
+    std::size_t sum = m_arrays.bytes() + m_restRows.bytes() + m_pinnedSlots.size() + m_pinned.size() +
+                      m_selfCollision.bytes() + 3 * sizeof(double) * m_sheet.start.size();
+    for (const Member& member : m_members)
+        sum += sizeof member + sizeof(double) * member.forces.values.size();
+    return sum;
 }
 
 } // namespace clothlab

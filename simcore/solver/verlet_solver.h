@@ -1,13 +1,19 @@
-// The course's cloth model: one explicit Verlet step in five phases (physics.md of Berkeley CS 184's cloth
+// The course's cloth model: explicit Verlet steps in five phases (physics.md of Berkeley CS 184's cloth
 // project; Provot 1995, "Deformation constraints in a mass-spring model to describe rigid cloth behavior").
 #pragma once
 
+#include "simcore/base/worker_team.h"
 #include "simcore/cloth/cloth_state.h"
 #include "simcore/collision/self_collision.h"
+#include "simcore/kernels/kernels.h"
+#include "simcore/solver/rest_rows.h"
+#include "simcore/solver/strain_pipeline.h"
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 
 namespace clothlab {
@@ -17,24 +23,38 @@ std::string_view name(Phase phase);
 
 // A point that has no finite place any more, or moved farther in one step than cloth can.
 struct BlowUp {
-    Phase phase = Phase::Verlet;
-    int point = 0;
+    Phase phase = Phase::Verlet; // after which that was so first
+    int point = 0;               // the first of all to which it happened in that phase
 };
 
 struct StepResult {
     int strainLimitCorrections = 0;
-    std::optional<BlowUp> blowUp; // the state is then of no use
+    std::optional<BlowUp> blowUp; // the state is then as it was before the step
+};
+
+struct RunResult {
+    int steps = 0; // that were done
+    std::int64_t strainLimitCorrections = 0;
+    std::optional<BlowUp> blowUp; // in the step after those; the state is then as it was before the run
 };
 
 // Called after each phase of a watched step.
 using PhaseObserver = std::function<void(Phase, const ClothState&)>;
 
-inline constexpr double kMaxStrain = 0.1; // springs longer than 1.1 times their rest length are shortened
+// How to compute, which has no influence on what is computed: all settings give the same bits.
+struct SolverSettings {
+    int threads = 0; // at most; 0: as many as the machine has cores
+    // A band of the sheet with fewer points is not worth a thread.
+    int leastPointsPerThread = 2500;
+    InstructionSet instructionSet = bestInstructionSet();
+};
 
-// Holds parameters, rest data and buffers; the state is the caller's.
+// Holds parameters, rest data and buffers; the state is the caller's. To be used by one thread at a time; its
+// own threads sleep except in run().
 class VerletSolver {
 public:
-    explicit VerletSolver(const Scene& scene); // precondition: validate(scene) has no errors
+    // Precondition: validate(scene) has no errors.
+    explicit VerletSolver(const Scene& scene, const SolverSettings& settings = {});
 
     // New parameters for a running sheet. Precondition: compareScenes(old, scene) != SceneChange::Start.
     void setScene(const Scene& scene);
@@ -43,30 +63,71 @@ public:
     const Sheet& sheet() const { return m_sheet; }
     const std::vector<std::uint8_t>& pinned() const { return m_pinned; }
     double pointMass() const { return m_pointMass; } // kg
+    int threads() const { return int(m_members.size()); }
     ClothState start() const { return startState(m_scene); }
+    std::size_t bytes() const; // held, without the state; after a run, as lists of neighbours grow
 
-    // One step of scene().simulation.timeStep(). An observer, where given, sees the state after each phase.
+    // Steps of scene().simulation.timeStep(). Stops between two once stop is true. Allocates nothing from the
+    // second run on, unless the sheet crowds more than ever before.
+    RunResult run(ClothState& state, int steps, const std::atomic<bool>& stop);
+
+    // One step. An observer, where given, sees the state after each phase. Slower than run(), which copies
+    // the state once for all its steps.
     StepResult step(ClothState& state, const PhaseObserver* observer = nullptr);
 
-    // Total force on each point in newtons, springs and gravity, as phase 1 computes it.
-    void forces(const PointArray& position, PointArray& force);
+    // Total force on each point in newtons, springs and gravity, as phase 1 computes it, spring after spring.
+    void forces(const PointArray& position, PointArray& force) const;
 
 private:
-    void verlet(ClothState& state);
-    void selfCollide(ClothState& state);
-    int limitStrain(ClothState& state);
-    std::optional<int> firstRunaway(const ClothState& state) const;
+    // What one thread works with; apart, so that no two write to the same cache line.
+    struct alignas(64) Member {
+        Member(RowRange rowRange, const RowLayout& layout) : rows(rowRange), forces(layout) {}
+        RowRange rows;
+        ForceRows forces;
+        int runaway = -1;      // slot, after Verlet
+        int runawayAtEnd = -1; // slot, after the strain limit
+        std::int64_t strainLimitCorrections = 0;
+    };
+    void makeMembers(int count);
+    void setPinnedSlots();
+    void begin(const ClothState& state);
+    void store(ClothState& state) const;
+
+    void work(int number); // a member's share of the run at hand
+    void collideWithItself(int member, const StepData& data);
+    void collide(const Member& member, const StepData& data) const;
+    void limitStrain(int member, int step, const StepData& data);
+    bool anyRunaway(int Member::*when) const;
+
+    StepResult watchedStep(ClothState& state, const PhaseObserver& observer);
+    BlowUp findBlowUp(ClothState state, int steps);
+    std::optional<BlowUp> firstWithoutForce(const PointArray& position) const;
 
     Scene m_scene;
+    SolverSettings m_settings;
     Sheet m_sheet;
     std::vector<std::uint8_t> m_pinned;
     double m_pointMass = 0;
-    double m_runawayDistance = 0; // m a step
+    std::vector<SphereData> m_spheres;
+    std::vector<PlaneData> m_planes;
 
-    PointArray m_force;
-    PointArray m_correction;
-    PointArray m_row; // spring forces of one row
+    const Kernels* m_kernels;
+    RowArrays m_arrays;
+    RestRows m_restRows;
+    std::vector<std::uint8_t> m_pinnedSlots;
+    StepData m_data;
     SelfCollision m_selfCollision;
+    std::vector<Member> m_members;
+    StrainPipeline m_strainPipeline;
+
+    // Of the run at hand.
+    int m_steps = 0;
+    int m_stepsDone = 0;
+    bool m_stopping = false;
+    const std::atomic<bool>* m_stop = nullptr;
+    std::unique_ptr<Barrier> m_barrier;
+    std::function<void(int)> m_job;
+    std::unique_ptr<WorkerTeam> m_team; // last: its threads use all of the above
 };
 
 } // namespace clothlab

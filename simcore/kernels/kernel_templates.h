@@ -1,0 +1,462 @@
+// The kernels, written once for any lanes; see lanes.h for what they may call.
+#pragma once
+
+#include "simcore/kernels/kernels.h"
+#include "simcore/kernels/lanes.h"
+#include "simcore/kernels/model_constants.h"
+
+namespace clothlab {
+namespace { // a copy for each file, see lanes.h
+
+template <typename L>
+struct VectorRow {
+    using V = typename L::Vector;
+    V x, y, z;
+
+    static VectorRow load(const ConstPointRows& rows, int slot) {
+        return {L::load(rows.x + slot), L::load(rows.y + slot), L::load(rows.z + slot)};
+    }
+    void store(const PointRows& rows, int slot) const {
+        L::store(rows.x + slot, x);
+        L::store(rows.y + slot, y);
+        L::store(rows.z + slot, z);
+    }
+    VectorRow operator-(const VectorRow& b) const { return {x - b.x, y - b.y, z - b.z}; }
+    VectorRow operator+(const VectorRow& b) const { return {x + b.x, y + b.y, z + b.z}; }
+    VectorRow operator*(V scale) const { return {x * scale, y * scale, z * scale}; }
+    // The order of the sum is part of the result.
+    V lengthSquared() const { return (x * x + y * y) + z * z; }
+    static VectorRow choose(typename L::Mask mask, const VectorRow& yes, const VectorRow& no) {
+        return {L::choose(mask, yes.x, no.x), L::choose(mask, yes.y, no.y), L::choose(mask, yes.z, no.z)};
+    }
+};
+
+template <typename L>
+class KernelTemplates {
+    using V = typename L::Vector;
+    using M = typename L::Mask;
+    using Row = VectorRow<L>;
+
+    static int slotOffset(const RowLayout& layout, int stencil) {
+        return kStencils[std::size_t(stencil)].dy * layout.stride + kStencils[std::size_t(stencil)].dx;
+    }
+
+    static constexpr int kVectors = RowLayout::kLanes / L::kCount; // of a block
+    static constexpr double kLaneNumbers[RowLayout::kLanes] = {0, 1, 2, 3};
+    static int firstLane(unsigned bits) { return __builtin_ctz(bits); }
+
+    // True where a point has run away, and where that cannot be told because it is not a number.
+    static M isRunaway(const Row& moved, V limitSquared) {
+        const M within = L::less(moved.lengthSquared(), limitSquared);
+        return L::butNot(L::less(L::all(0), L::all(1)), within);
+    }
+
+    // Rows of forces that verletRows holds at a time: a point is pulled a row after the last spring that it
+    // takes, by those of its own row, of the next and of the one after.
+    static constexpr int kRowsHeld[6] = {2, 3, 3, 3, 2, 4};
+    static constexpr int kFirstRow[6] = {0, 2, 5, 8, 11, 13};
+    static_assert(kFirstRow[5] + kRowsHeld[5] == ForceRows::kRows);
+
+    // Forces on the ends a of the springs of a stencil that start in row y, one coordinate after another.
+    static double* forceRow(ForceRows& forces, int stencil, int y) {
+        return forces.row(kFirstRow[stencil] + (y + 4) % kRowsHeld[stencil]);
+    }
+
+    static V stiffness(const StepData& data, int s) {
+        return L::all(data.enabled[std::size_t(s)] ? data.stiffness[std::size_t(s)] : 0);
+    }
+
+    // The forces of the springs that start at slot a and the next ones.
+    static void pull(const StepData& data, int a, int offset, V stiffness, const double* rest, double* to,
+                     int length) {
+        const Row along = Row::load(data.position, a + offset) - Row::load(data.position, a);
+        const V distance = L::squareRoot(along.lengthSquared());
+        const V atRest = L::load(rest);
+        // A spring without length has no direction to pull in.
+        const M pulls = L::both(L::less(L::all(0), distance), L::less(atRest, L::all(kNoSpring)));
+        const V scale = L::orZero(pulls, stiffness * (distance - atRest) / distance);
+        L::store(to, scale * along.x);
+        L::store(to + length, scale * along.y);
+        L::store(to + 2 * length, scale * along.z);
+    }
+
+    static void pullRow(const StepData& data, int s, int y, ForceRows& forces) {
+        const int offset = slotOffset(data.layout, s);
+        const V k = stiffness(data, s);
+        const double* const rest = data.restLength[std::size_t(s)][y];
+        double* const to = forceRow(forces, s, y);
+        for (int x = 0; x < data.layout.width; x += L::kCount)
+            pull(data, data.layout.slot(x, y), offset, k, rest + x, to + x, forces.length);
+    }
+
+    // What moves the points of one row: the rows of forces on them as ends a and b of each stencil.
+    struct Pulls {
+        const double* asA[6];
+        const double* asB[6];
+    };
+    static Pulls pullsOf(ForceRows& forces, int y) {
+        Pulls pulls{};
+        for (int s = 0; s < 6; ++s) {
+            pulls.asA[s] = forceRow(forces, s, y);
+            pulls.asB[s] =
+                forceRow(forces, s, y - kStencils[std::size_t(s)].dy) - kStencils[std::size_t(s)].dx;
+        }
+        return pulls;
+    }
+    static void addPulls(const Pulls& pulls, int s, int at, int length, Row& force) {
+        const double* const asA = pulls.asA[s] + at;
+        const double* const asB = pulls.asB[s] + at;
+        force.x = force.x + L::load(asA) - L::load(asB);
+        force.y = force.y + L::load(asA + length) - L::load(asB + length);
+        force.z = force.z + L::load(asA + 2 * length) - L::load(asB + 2 * length);
+    }
+
+    // Where the points from a slot on go. Those that run away, as bits.
+    static unsigned move(const StepData& data, const Row& force, int slot) {
+        const Row current = Row::load(data.position, slot);
+        const Row last = Row::load(data.last, slot);
+        const Row next = current + (current - last) * L::all(data.keep) + force * L::all(data.gain);
+        const Row moved = Row::choose(L::fromBytes(data.pinned + slot), current, next);
+        moved.store(data.last, slot);
+        return L::bits(isRunaway(moved - current, L::all(data.runawayDistance * data.runawayDistance)));
+    }
+
+public:
+    // Each kernel works on a copy of what it is given: as far as the compiler knows, storing a vector may
+    // change anything that is not its own.
+
+    // One pass computes the springs that the points of row y are the last to need, and moves the points of
+    // the row before. The two take turns stencil by stencil, so that the processor has forces to add while it
+    // waits for square roots and quotients.
+    static int verletRows(const StepData& shared, RowRange rows, ForceRows& forces) {
+        const StepData data = shared;
+        const int length = forces.length;
+        for (const int s : {1, 2, 3, 5})
+            pullRow(data, s, rows.begin, forces);
+        pullRow(data, 5, rows.begin + 1, forces);
+        for (const int s : {0, 4})
+            pullRow(data, s, rows.begin, forces);
+        for (const int s : {1, 2, 3})
+            pullRow(data, s, rows.begin + 1, forces);
+        pullRow(data, 5, rows.begin + 2, forces);
+        V stiffnesses[6];
+        int offsets[6];
+        for (int s = 0; s < 6; ++s) {
+            stiffnesses[s] = stiffness(data, s);
+            offsets[s] = slotOffset(data.layout, s);
+        }
+        const Row weight{L::all(data.weight[0]), L::all(data.weight[1]), L::all(data.weight[2])};
+        int runaway = -1;
+        for (int y = rows.begin + 1; y <= rows.end; ++y) {
+            double* to[6];
+            const double* rest[6];
+            for (int s = 0; s < 6; ++s) {
+                const int row = y - kStencils[std::size_t(s)].dy;
+                to[s] = forceRow(forces, s, row);
+                rest[s] = data.restLength[std::size_t(s)][row];
+            }
+            const Pulls pulls = pullsOf(forces, y - 1);
+            for (int x = 0; x < data.layout.width; x += L::kCount) {
+                const int a = data.layout.slot(x, y);
+                Row force = weight;
+#pragma GCC unroll 6
+                for (int s = 0; s < 6; ++s) {
+                    pull(data, a - kStencils[std::size_t(s)].dy * data.layout.stride, offsets[s],
+                         stiffnesses[s], rest[s] + x, to[s] + x, length);
+                    addPulls(pulls, s, x, length, force);
+                }
+                const unsigned out = move(data, force, a - data.layout.stride);
+                if (out != 0 && runaway < 0)
+                    runaway = a - data.layout.stride + firstLane(out);
+            }
+        }
+        return runaway;
+    }
+
+    static void collideSphere(const StepData& shared, RowRange rows, const SphereData& sphere) {
+        const StepData data = shared; // see above
+        const Row origin{L::all(sphere.x), L::all(sphere.y), L::all(sphere.z)};
+        const V radius = L::all(sphere.radius);
+        const V slide = L::all(1 - sphere.friction);
+        const V zero = L::all(0);
+        for (int y = rows.begin; y < rows.end; ++y)
+            for (int x = 0; x < data.layout.width; x += L::kCount) {
+                const int slot = data.layout.slot(x, y);
+                const Row position = Row::load(data.position, slot);
+                const Row offset = position - origin;
+                const V distanceSquared = offset.lengthSquared();
+                const M inside =
+                    L::butNot(L::less(distanceSquared, radius * radius), L::fromBytes(data.pinned + slot));
+                if (L::bits(inside) == 0)
+                    continue;
+                const V distance = L::squareRoot(distanceSquared);
+                const M off = L::less(zero, distance); // a point at the origin leaves along +y
+                const Row direction =
+                    Row::choose(off, {offset.x / distance, offset.y / distance, offset.z / distance},
+                                {zero, L::all(1), zero});
+                const Row last = Row::load(data.last, slot);
+                const Row moved = last + (origin + direction * radius - last) * slide;
+                Row::choose(inside, moved, position).store(data.position, slot);
+            }
+    }
+
+    static void collidePlane(const StepData& shared, RowRange rows, const PlaneData& plane) {
+        const StepData data = shared; // see above
+        const Row point{L::all(plane.x), L::all(plane.y), L::all(plane.z)};
+        const Row normal{L::all(plane.nx), L::all(plane.ny), L::all(plane.nz)};
+        const V slide = L::all(1 - plane.friction);
+        const V zero = L::all(0);
+        const auto heightOf = [&](const Row& p) {
+            const Row d = p - point;
+            return (d.x * normal.x + d.y * normal.y) + d.z * normal.z;
+        };
+        for (int y = rows.begin; y < rows.end; ++y)
+            for (int x = 0; x < data.layout.width; x += L::kCount) {
+                const int slot = data.layout.slot(x, y);
+                const Row position = Row::load(data.position, slot);
+                const Row last = Row::load(data.last, slot);
+                const V height = heightOf(position);
+                const M below = L::less(height, zero);
+                const M cameFromBelow = L::less(heightOf(last), zero);
+                const M crossed = L::either(L::butNot(below, cameFromBelow), L::butNot(cameFromBelow, below));
+                const M moves = L::butNot(crossed, L::fromBytes(data.pinned + slot));
+                if (L::bits(moves) == 0)
+                    continue;
+                const V target = L::choose(cameFromBelow, L::all(-kPlaneOffset), L::all(kPlaneOffset));
+                const Row tangent = position + normal * (target - height);
+                const Row moved = last + (tangent - last) * slide;
+                Row::choose(moves, moved, position).store(data.position, slot);
+            }
+    }
+
+    static int limitRows(const StepData& shared, const StencilRow* rows, int count) {
+        const StepData data = shared;
+        int corrections = 0;
+        for (int n = 0; n < count; ++n)
+            // Within a row, a spring may end where the next one of the stencil starts only if it lies in the
+            // row.
+            corrections += kStencils[std::size_t(rows[n].stencil)].dy == 0
+                               ? limitRow<true>(data, rows[n].stencil, rows[n].y)
+                               : limitRow<false>(data, rows[n].stencil, rows[n].y);
+        return corrections;
+    }
+
+    static int firstRunaway(const StepData& shared, RowRange rows) {
+        const StepData data = shared; // see above
+        const V limitSquared = L::all(data.runawayDistance * data.runawayDistance);
+        for (int y = rows.begin; y < rows.end; ++y)
+            for (int x = 0; x < data.layout.width; x += L::kCount) {
+                const int slot = data.layout.slot(x, y);
+                const Row moved = Row::load(data.position, slot) - Row::load(data.last, slot);
+                if (const unsigned out = L::bits(isRunaway(moved, limitSquared)); out != 0)
+                    return slot + firstLane(out);
+            }
+        return -1;
+    }
+
+    static double farthestSquared(const RowLayout& layout, RowRange rows, ConstPointRows position,
+                                  ConstPointRows there, const std::array<double, 3>& by) {
+        const Row common{L::all(by[0]), L::all(by[1]), L::all(by[2])};
+        const V lanes = L::load(kLaneNumbers);
+        V farthest = L::all(0);
+        for (int y = rows.begin; y < rows.end; ++y)
+            for (int x = 0; x < layout.width; x += L::kCount) {
+                const int slot = layout.slot(x, y);
+                const Row moved = Row::load(position, slot) - Row::load(there, slot) - common;
+                const V distanceSquared = moved.lengthSquared();
+                const M isPoint = L::less(lanes, L::all(layout.width - x));
+                const M farther = L::both(isPoint, L::less(farthest, distanceSquared));
+                farthest = L::choose(farther, distanceSquared, farthest);
+            }
+        double each[L::kCount];
+        L::store(each, farthest);
+        double result = 0;
+        for (const double lane : each)
+            result = lane > result ? lane : result;
+        return result;
+    }
+
+    static std::size_t adjacentPairs(const RowLayout& layout, RowRange rows, ConstPointRows position,
+                                     double distance, SlotPair* pairs) {
+        const V distanceSquared = L::all(distance * distance);
+        const int offsets[4] = {1, layout.stride - 1, layout.stride, layout.stride + 1};
+        std::size_t count = 0;
+        for (int y = rows.begin; y < rows.end; ++y)
+            for (int x = 0; x < layout.width; x += L::kCount) {
+                const int a = layout.slot(x, y);
+                const Row from = Row::load(position, a);
+                unsigned all = 0; // bit 4 * lane + n: with the nth offset
+                for (int n = 0; n < 4; ++n) {
+                    const M near = isNear(from, Row::load(position, a + offsets[n]), distanceSquared);
+                    all |= kFourApart[L::bits(near)] << unsigned(n);
+                }
+                if (all != 0)
+                    for (all &= adjacencyInSheet(layout, x, y); all != 0; all &= all - 1) {
+                        const int bit = firstLane(all);
+                        pairs[count++] = {std::uint32_t(a + bit / 4),
+                                          std::uint32_t(a + bit / 4 + offsets[bit % 4])};
+                    }
+            }
+        return count;
+    }
+
+    static std::size_t listedPairs(const RowLayout& layout, RowRange rows, const BlockLists& lists,
+                                   ConstPointRows position, double distance, NearBlock* scratch,
+                                   SlotPair* pairs) {
+        const V distanceSquared = L::all(distance * distance);
+        std::size_t count = 0, block = 0;
+        std::uint32_t k = 0;
+        for (int y = rows.begin; y < rows.end; ++y)
+            for (int x = 0; x < layout.width; x += RowLayout::kLanes) {
+                const std::uint32_t end = lists.end[block++];
+                if (k == end)
+                    continue;
+                const int first = layout.slot(x, y);
+                Row from[kVectors];
+                for (int v = 0; v < kVectors; ++v)
+                    from[v] = Row::load(position, first + v * L::kCount);
+                std::size_t found = 0;
+                for (; k < end; ++k) {
+                    const NearBlock listed = lists.listed[k];
+                    const Row place{L::all(position.x[listed.slot]), L::all(position.y[listed.slot]),
+                                    L::all(position.z[listed.slot])};
+                    unsigned lanes = 0;
+                    for (int v = 0; v < kVectors; ++v)
+                        lanes |= L::bits(isNear(from[v], place, distanceSquared)) << unsigned(v * L::kCount);
+                    lanes &= listed.lanes;
+                    scratch[found] = {listed.slot, lanes}; // without a branch that nothing could predict
+                    found += unsigned(lanes != 0);
+                }
+                count += inOrder(std::uint32_t(first), scratch, found, pairs + count);
+            }
+        return count;
+    }
+
+    static std::size_t nearBlock(ConstPointRows position, int slot, double reach, std::uint32_t least,
+                                 const SortedPlaces& places, const Run* runs, std::size_t runCount,
+                                 NearBlock* found) {
+        const V reachSquared = L::all(reach * reach);
+        Row block[kVectors];
+        for (int v = 0; v < kVectors; ++v)
+            block[v] = Row::load(position, slot + v * L::kCount);
+        std::size_t count = 0;
+        for (std::size_t r = 0; r < runCount; ++r)
+            for (std::uint32_t k = runs[r].begin; k < runs[r].end; ++k) {
+                const Row place{L::all(places.x[k]), L::all(places.y[k]), L::all(places.z[k])};
+                unsigned lanes = 0;
+                for (int v = 0; v < kVectors; ++v)
+                    lanes |= L::bits(L::less((block[v] - place).lengthSquared(), reachSquared))
+                             << unsigned(v * L::kCount);
+                found[count] = {places.slot[k], lanes}; // without a branch that nothing could predict
+                count += unsigned(lanes != 0) & unsigned(places.slot[k] >= least);
+            }
+        return count;
+    }
+
+private:
+    static M isNear(const Row& a, const Row& b, V distanceSquared) {
+        const V lengthSquared = (a - b).lengthSquared();
+        return L::both(L::less(lengthSquared, distanceSquared), L::less(L::all(0), lengthSquared));
+    }
+
+    // The pairs of a block, by lower, then by upper end. There are few.
+    static std::size_t inOrder(std::uint32_t first, const NearBlock* found, std::size_t blocks,
+                               SlotPair* pairs) {
+        std::size_t count = 0;
+        for (std::size_t n = 0; n < blocks; ++n)
+            for (unsigned lanes = found[n].lanes; lanes != 0; lanes &= lanes - 1) {
+                const SlotPair pair{first + std::uint32_t(firstLane(lanes)), found[n].slot};
+                std::size_t at = count++;
+                for (; at > 0 &&
+                       (pairs[at - 1].a > pair.a || (pairs[at - 1].a == pair.a && pairs[at - 1].b > pair.b));
+                     --at)
+                    pairs[at] = pairs[at - 1];
+                pairs[at] = pair;
+            }
+        return count;
+    }
+
+    static constexpr unsigned kFourApart[16] = {0x0000, 0x0001, 0x0010, 0x0011, 0x0100, 0x0101,
+                                                0x0110, 0x0111, 0x1000, 0x1001, 0x1010, 0x1011,
+                                                0x1100, 0x1101, 0x1110, 0x1111};
+    // The bits of adjacentPairs that stand for two points of the sheet.
+    static unsigned adjacencyInSheet(const RowLayout& layout, int x, int y) {
+        unsigned bits = 0;
+        for (int lane = 0; lane < L::kCount && x + lane < layout.width; ++lane) {
+            const bool right = x + lane + 1 < layout.width;
+            const bool below = y + 1 < layout.height;
+            bits |= (unsigned(right) | unsigned(below && x + lane > 0) << 1U | unsigned(below) << 2U |
+                     unsigned(below && right) << 3U)
+                    << unsigned(4 * lane);
+        }
+        return bits;
+    }
+
+    template <bool chained>
+    static int limitRow(const StepData& data, int stencil, int y) {
+        const int offset = slotOffset(data.layout, stencil);
+        const double* const rest = data.restLength[std::size_t(stencil)][y];
+        const V stretch = L::all(1 + kMaxStrain);
+        int corrections = 0;
+        for (int x = 0; x < data.layout.width; x += L::kCount) {
+            const int a = data.layout.slot(x, y);
+            const Row pa = Row::load(data.position, a);
+            const Row pb = Row::load(data.position, a + offset);
+            const V limit = stretch * L::load(rest + x);
+            const M tooLong = L::less(limit * limit, (pb - pa).lengthSquared());
+            if (L::bits(tooLong) == 0)
+                continue;
+            if constexpr (chained)
+                for (int n = 0; n < L::kCount; ++n)
+                    corrections += limitSpring(data, rest[x + n], a + n, a + n + offset);
+            else
+                corrections += limitBlock(data, pa, pb, limit, tooLong, a, a + offset);
+        }
+        return corrections;
+    }
+
+    // Springs that have no ends in common.
+    static int limitBlock(const StepData& data, const Row& pa, const Row& pb, V limit, M tooLong, int a,
+                          int b) {
+        const M aPinned = L::fromBytes(data.pinned + a);
+        const M bPinned = L::fromBytes(data.pinned + b);
+        const M moves = L::butNot(tooLong, L::both(aPinned, bPinned));
+        const Row along = pb - pa;
+        const V length = L::squareRoot(along.lengthSquared());
+        const Row excess = along * ((length - limit) / length);
+        const V shareOfA = L::choose(aPinned, L::all(0), L::choose(bPinned, L::all(1), L::all(0.5)));
+        Row::choose(moves, pa + excess * shareOfA, pa).store(data.position, a);
+        Row::choose(moves, pb - excess * (L::all(1) - shareOfA), pb).store(data.position, b);
+        return __builtin_popcount(L::bits(moves));
+    }
+
+    // One spring of the strain limit. 1 if it was too long and an end of it may move.
+    static int limitSpring(const StepData& data, double atRest, int a, int b) {
+        using One = VectorRow<ScalarLanes>;
+        const double limit = (1 + kMaxStrain) * atRest;
+        const One pa = One::load(data.position, a);
+        const One pb = One::load(data.position, b);
+        const One along = pb - pa;
+        const double lengthSquared = along.lengthSquared();
+        const bool aPinned = data.pinned[a] != 0;
+        const bool bPinned = data.pinned[b] != 0;
+        if (!(lengthSquared > limit * limit) || (aPinned && bPinned))
+            return 0;
+        const double length = ScalarLanes::squareRoot(lengthSquared);
+        const One excess = along * ((length - limit) / length);
+        const double shareOfA = aPinned ? 0 : bPinned ? 1 : 0.5;
+        (pa + excess * shareOfA).store(data.position, a);
+        (pb - excess * (1 - shareOfA)).store(data.position, b);
+        return 1;
+    }
+};
+
+template <typename L>
+constexpr Kernels makeKernels() {
+    using K = KernelTemplates<L>;
+    return {&K::verletRows,      &K::collideSphere, &K::collidePlane, &K::limitRows, &K::firstRunaway,
+            &K::farthestSquared, &K::adjacentPairs, &K::listedPairs,  &K::nearBlock};
+}
+
+} // namespace
+} // namespace clothlab

@@ -1,0 +1,65 @@
+#include "simcore/solver/strain_pipeline.h"
+
+#include "simcore/base/worker_team.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace clothlab {
+
+// A spring of a stencil that starts in row y moves points of the rows y and y + dy, dy <= 0. Before it, all
+// springs of earlier stencils that end in these rows have to have had their turn: those that start as far
+// below as they reach up.
+void StrainPipeline::configure(int members, const StepData& data) {
+    std::vector<Stage> stages;
+    int behind = 0;
+    int reach = 0;
+    for (int s = 0; s < int(kStencils.size()); ++s) {
+        if (!data.enabled[std::size_t(s)])
+            continue;
+        behind += reach;
+        reach = -kStencils[std::size_t(s)].dy;
+        stages.push_back({s, behind});
+    }
+    m_lastBehind = behind + 2; // no stencil reaches farther up
+    m_rows = data.layout.height + m_lastBehind;
+    m_count = members;
+    m_members = std::make_unique<Member[]>(std::size_t(members));
+    for (int m = 0; m < members; ++m)
+        m_members[std::size_t(m)].stages.assign(stages.begin() + std::ptrdiff_t(stages.size()) * m / members,
+                                                stages.begin() +
+                                                    std::ptrdiff_t(stages.size()) * (m + 1) / members);
+}
+
+void StrainPipeline::restart() {
+    for (int m = 0; m < m_count; ++m)
+        m_members[std::size_t(m)].rowsDone.store(0, std::memory_order_relaxed);
+}
+
+StrainPipeline::Result StrainPipeline::run(int member, int pass, const StepData& data,
+                                           const Kernels& kernels) {
+    Member& mine = m_members[std::size_t(member)];
+    const std::atomic<std::int64_t>* before =
+        member > 0 ? &m_members[std::size_t(member - 1)].rowsDone : nullptr;
+    const bool last = member == m_count - 1;
+    const auto isRow = [&](int y) { return y >= 0 && y < data.layout.height; };
+    Result result;
+    std::int64_t seen = 0;
+    for (int row = 0; row < m_rows; ++row) {
+        const std::int64_t needed = std::int64_t(pass) * m_rows + row + 1;
+        if (before != nullptr && seen < needed)
+            waitUntil(*before, [&](std::int64_t done) { return (seen = done) >= needed; });
+        std::array<StencilRow, kStencils.size()> rows{};
+        int count = 0;
+        for (const Stage& stage : mine.stages)
+            if (const int y = row - stage.rowsBehind; isRow(y))
+                rows[std::size_t(count++)] = {stage.stencil, y};
+        result.corrections += kernels.limitRows(data, rows.data(), count);
+        mine.rowsDone.store(needed, std::memory_order_release);
+        if (const int y = row - m_lastBehind; last && isRow(y) && result.runaway < 0)
+            result.runaway = kernels.firstRunaway(data, {y, y + 1});
+    }
+    return result;
+}
+
+} // namespace clothlab
