@@ -5,6 +5,7 @@
 #include "app/cli/run_report.h"
 #include "simcore/base/file.h"
 #include "simcore/export/export.h"
+#include "simcore/inspect/blow_up_text.h"
 #include "simcore/inspect/stability.h"
 #include "simcore/scene/parameters.h"
 #include "simcore/scene/scene_io.h"
@@ -202,8 +203,8 @@ int simulateCommand(const QStringList& arguments) {
     if (!run.outputError.isEmpty())
         return fail(OutputNotWritten, run.outputError);
     if (const auto& blowUp = run.summary.blowUp)
-        return fail(SimulationBlewUp, QString::fromStdString(describeBlowUp(
-                                          blowUp->blowUp, blowUp->step, blowUp->frame, solver.sheet().grid)));
+        return fail(SimulationBlewUp, QString::fromStdString(describeBlowUp(blowUp->blowUp, blowUp->step,
+                                                                            blowUp->frame, solver.scene())));
     if (run.summary.interrupted)
         return fail(Interrupted, QStringLiteral("interrupted after %1 frames").arg(run.summary.frames));
     return Done;
