@@ -2,6 +2,7 @@
 
 #include "app/cli/exit_status.h"
 #include "app/cli/simulate_command.h"
+#include "simcore/inspect/stability.h"
 #include "simcore/scene/scene_io.h"
 
 #include <cstdio>
@@ -15,7 +16,9 @@ int checkCommand(const QStringList& arguments) {
         return WrongUsage;
     }
     const std::string path = arguments[0].toStdString();
-    const SceneReading reading = loadScene(path);
+    SceneReading reading = loadScene(path);
+    if (reading.scene)
+        warnOfStep(*reading.scene, reading.diagnostics);
     for (const Diagnostic& diagnostic : reading.diagnostics)
         std::fprintf(diagnostic.severity == Severity::Error ? stderr : stdout, "%s\n",
                      toText(diagnostic, path).c_str());

@@ -5,6 +5,8 @@
 #include "app/cli/run_report.h"
 #include "simcore/base/file.h"
 #include "simcore/export/export.h"
+#include "simcore/inspect/blow_up_text.h"
+#include "simcore/inspect/stability.h"
 #include "simcore/scene/parameters.h"
 #include "simcore/scene/scene_io.h"
 
@@ -176,13 +178,16 @@ int simulateCommand(const QStringList& arguments) {
     if (const QString error = parse(arguments, options); !error.isEmpty())
         return fail(WrongUsage, error + "; see clothlab --help");
     SceneReading reading = loadScene(options.scene.toStdString());
+    if (reading.scene) {
+        SimulationSettings& settings = reading.scene->simulation;
+        settings.framesPerSecond = options.framesPerSecond.value_or(settings.framesPerSecond);
+        settings.stepsPerFrame = options.stepsPerFrame.value_or(settings.stepsPerFrame);
+        warnOfStep(*reading.scene, reading.diagnostics); // of the step that will be taken
+    }
     for (const Diagnostic& diagnostic : reading.diagnostics)
         std::fprintf(stderr, "%s\n", toText(diagnostic, options.scene.toStdString()).c_str());
     if (!reading.scene)
         return InvalidInput;
-    SimulationSettings& settings = reading.scene->simulation;
-    settings.framesPerSecond = options.framesPerSecond.value_or(settings.framesPerSecond);
-    settings.stepsPerFrame = options.stepsPerFrame.value_or(settings.stepsPerFrame);
 
     stopRequested = false;
     std::signal(SIGINT, [](int) { stopRequested = true; });
@@ -198,8 +203,8 @@ int simulateCommand(const QStringList& arguments) {
     if (!run.outputError.isEmpty())
         return fail(OutputNotWritten, run.outputError);
     if (const auto& blowUp = run.summary.blowUp)
-        return fail(SimulationBlewUp, QString::fromStdString(describeBlowUp(
-                                          blowUp->blowUp, blowUp->step, blowUp->frame, solver.sheet().grid)));
+        return fail(SimulationBlewUp, QString::fromStdString(describeBlowUp(blowUp->blowUp, blowUp->step,
+                                                                            blowUp->frame, solver.scene())));
     if (run.summary.interrupted)
         return fail(Interrupted, QStringLiteral("interrupted after %1 frames").arg(run.summary.frames));
     return Done;

@@ -1,5 +1,6 @@
 #include "app/docks/simulation_panel.h"
 
+#include "app/docks/stability_readout.h"
 #include "app/docks/text.h"
 #include "app/widgets/check_box.h"
 #include "app/widgets/foldable_group.h"
@@ -48,7 +49,7 @@ QString parameterToolTip(const Parameter& parameter) {
 }
 
 SimulationPanel::SimulationPanel(Document& document, QWidget* parent)
-    : QWidget(parent), m_document(document) {
+    : QWidget(parent), m_document(document), m_stability(new StabilityReadout) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 4, 8, 8);
     layout->setSpacing(2);
@@ -56,7 +57,9 @@ SimulationPanel::SimulationPanel(Document& document, QWidget* parent)
     addGroup(tr("Springs that pull"),
              {"cloth.enable_structural", "cloth.enable_shearing", "cloth.enable_bending"});
     addGroup(tr("Forces"), {"simulation.gravity[0]", "simulation.gravity[1]", "simulation.gravity[2]"});
-    addGroup(tr("Time"), {"simulation.frames_per_second", "simulation.steps_per_frame"});
+    addGroup(tr("Time"), {"simulation.frames_per_second", "simulation.steps_per_frame"})
+        ->contentLayout()
+        ->addWidget(m_stability);
     addGroup(tr("Sheet (starts anew)"), {"cloth.width", "cloth.height", "cloth.num_width_points",
                                          "cloth.num_height_points", "cloth.orientation", "simulation.seed"});
     layout->addStretch();
@@ -66,7 +69,8 @@ SimulationPanel::SimulationPanel(Document& document, QWidget* parent)
     showScene();
 }
 
-void SimulationPanel::addGroup(const QString& title, std::initializer_list<const char*> ids, bool folded) {
+FoldableGroup* SimulationPanel::addGroup(const QString& title, std::initializer_list<const char*> ids,
+                                         bool folded) {
     auto* group = new FoldableGroup(title);
     for (const char* id : ids) {
         const Parameter& parameter = *findParameter(id);
@@ -75,6 +79,7 @@ void SimulationPanel::addGroup(const QString& title, std::initializer_list<const
     }
     group->setFolded(folded);
     layout()->addWidget(group);
+    return group;
 }
 
 QWidget* SimulationPanel::makeRow(const Parameter& parameter) {
@@ -107,9 +112,10 @@ void SimulationPanel::set(const Parameter& parameter, double value, int gesture)
 }
 
 void SimulationPanel::alignLabels() {
-    int labelWidth = 0;
+    int labelWidth = m_stability->labelWidthHint();
     for (const ParameterRow* row : std::as_const(m_rows))
         labelWidth = std::max(labelWidth, row->labelWidthHint());
+    m_stability->setLabelWidth(labelWidth);
     for (ParameterRow* row : std::as_const(m_rows)) {
         row->setLabelWidth(labelWidth);
         row->setFieldWidth(fontMetrics().horizontalAdvance(QStringLiteral("100000.55 m/s²_")));
@@ -124,6 +130,7 @@ void SimulationPanel::showScene() {
         if (QCheckBox* box = m_checkBoxes.value(toQString(parameter.id)))
             box->setChecked(value != 0);
     }
+    m_stability->showStability(stability(m_document.scene()));
 }
 
 } // namespace clothlab

@@ -11,6 +11,7 @@ namespace clothlab {
 
 class FoldableGroup;
 class ParameterRow;
+class StabilityReadout;
 
 class SimulationPanel : public QWidget {
     Q_OBJECT
@@ -21,12 +22,14 @@ public:
     // By Parameter::id; null if the panel shows it otherwise.
     ParameterRow* row(const QString& id) const { return m_rows.value(id); }
     QCheckBox* checkBox(const QString& id) const { return m_checkBoxes.value(id); }
+    StabilityReadout* stabilityReadout() const { return m_stability; }
 
 signals:
     void rejected(const QString& message); // a typed value that cannot be taken, in words
 
 private:
-    void addGroup(const QString& title, std::initializer_list<const char*> ids, bool folded = false);
+    FoldableGroup* addGroup(const QString& title, std::initializer_list<const char*> ids,
+                            bool folded = false);
     QWidget* makeRow(const Parameter& parameter);
     QWidget* makeCheckBox(const Parameter& parameter);
     void set(const Parameter& parameter, double value, int gesture);
@@ -36,6 +39,7 @@ private:
     Document& m_document;
     QHash<QString, ParameterRow*> m_rows;
     QHash<QString, QCheckBox*> m_checkBoxes;
+    StabilityReadout* m_stability;
 };
 
 // Name in the file, unit, range, default, and what it does to cloth.

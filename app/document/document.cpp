@@ -1,6 +1,7 @@
 #include "app/document/document.h"
 
 #include "app/document/edit_scene_command.h"
+#include "simcore/inspect/stability.h"
 #include "simcore/scene/pins.h"
 #include "simcore/scene/range.h"
 #include "simcore/scene/scene_io.h"
@@ -35,8 +36,10 @@ void Document::newScene() {
 
 Diagnostics Document::open(const QString& path) {
     SceneReading reading = loadScene(path.toStdString());
-    if (reading.scene)
+    if (reading.scene) {
+        warnOfStep(*reading.scene, reading.diagnostics);
         replaceScene(std::move(*reading.scene), QFileInfo(path).absoluteFilePath());
+    }
     return reading.diagnostics;
 }
 

@@ -62,7 +62,8 @@ FrameOutcome FrameWorker::compute(const FrameRequest& request) {
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
 
     FrameOutcome outcome{request.ticket,    nullptr,        result.blowUp,
-                         result.blowUpStep, request.number, std::this_thread::get_id()};
+                         result.blowUpStep, request.number, std::this_thread::get_id(),
+                         request.scene};
     const double time = request.from->time + 1.0 / request.scene->simulation.framesPerSecond;
     if (result.finished)
         outcome.frame = std::make_shared<const Frame>(

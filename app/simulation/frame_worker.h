@@ -28,6 +28,7 @@ struct FrameOutcome {
     int blowUpStep = 0;
     int number = 0;
     std::thread::id computedOn;
+    std::shared_ptr<const Scene> scene; // of the request
 };
 
 class FrameWorker {

@@ -1,5 +1,7 @@
 #include "app/simulation/simulation.h"
 
+#include "simcore/inspect/blow_up_text.h"
+
 #include <QLocale>
 
 #include <algorithm>
@@ -205,7 +207,7 @@ void Simulation::record(FramePointer frame) {
 void Simulation::stopForBlowUp(const FrameOutcome& outcome) {
     pause();
     setBlowUp(QString::fromStdString(
-        describeBlowUp(*outcome.blowUp, outcome.blowUpStep, outcome.number, m_sheet.grid)));
+        describeBlowUp(*outcome.blowUp, outcome.blowUpStep, outcome.number, *outcome.scene)));
 }
 
 void Simulation::show(int frame) {

@@ -68,24 +68,6 @@ void warnOfThickness(const Cloth& cloth, const StartRectangle& start, Report& re
                     "give less than " + json::numberText(spacing / 2) + ", or fewer points");
 }
 
-// An explicit step is stable while dt² times the largest eigenvalue of the stiffness over the mass stays
-// below 4. The largest is at the wave that turns each point against its neighbours in one direction: 4 ks
-// from structural springs and as much from shearing ones; alone, bending springs reach 4 · 0.2 ks.
-void warnOfStep(const Scene& scene, const StartRectangle& start, Report& report) {
-    const Cloth& cloth = scene.cloth;
-    const double fromNeighbours = (cloth.enableStructural ? 4 : 0) + (cloth.enableShearing ? 4 : 0);
-    const double stiffness = cloth.ks * std::max(fromNeighbours, cloth.enableBending ? 0.8 : 0);
-    const double mass = cloth.density * start.width * start.height / cloth.pointCount();
-    const double dt = scene.simulation.timeStep();
-    const double excess = std::sqrt(dt * dt * stiffness / mass / 4);
-    if (excess > 1)
-        report.warn(
-            "simulation.steps_per_frame",
-            "the time step is too long for springs this stiff on points this light, so the sheet may blow up",
-            "take " + std::to_string(std::llround(std::ceil(scene.simulation.stepsPerFrame * excess))) +
-                " or more, or a smaller cloth.ks");
-}
-
 void warnOfOverlap(const Scene& scene, const StartRectangle& start, Report& report) {
     for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
         const Sphere& sphere = scene.spheres[i];
@@ -151,7 +133,6 @@ void findWarnings(const Scene& scene, Report& report) {
     warnOfPins(scene.cloth, report);
     warnOfSprings(scene.cloth, report);
     warnOfThickness(scene.cloth, start, report);
-    warnOfStep(scene, start, report);
     warnOfOverlap(scene, start, report);
     warnOfFall(scene, start, report);
 }

@@ -1,7 +1,5 @@
 #include "simcore/solver/frame_runner.h"
 
-#include <sstream>
-
 namespace clothlab {
 
 FrameResult runFrame(VerletSolver& solver, ClothState& state, const std::atomic<bool>& stop) {
@@ -13,15 +11,6 @@ FrameResult runFrame(VerletSolver& solver, ClothState& state, const std::atomic<
     result.blowUp = run.blowUp;
     result.blowUpStep = run.blowUp ? run.steps + 1 : 0;
     return result;
-}
-
-std::string describeBlowUp(const BlowUp& blowUp, int step, int frame, const Grid& grid) {
-    const GridPoint place = grid.place(blowUp.point);
-    std::ostringstream text;
-    text << "blew up in frame " << frame << ", step " << step << ", phase " << name(blowUp.phase)
-         << ", at point " << blowUp.point << " (" << place.x << ", " << place.y
-         << "); more steps per frame, a lower ks or a higher density make the step stable";
-    return text.str();
 }
 
 } // namespace clothlab

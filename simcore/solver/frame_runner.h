@@ -17,7 +17,4 @@ struct FrameResult {
 // Stops between two steps once stop is true.
 FrameResult runFrame(VerletSolver& solver, ClothState& state, const std::atomic<bool>& stop);
 
-// "point 17 (x 17, y 0) …, in phase Verlet of step 3 of frame 12; …" with what usually helps.
-std::string describeBlowUp(const BlowUp& blowUp, int step, int frame, const Grid& grid);
-
 } // namespace clothlab

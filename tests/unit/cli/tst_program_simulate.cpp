@@ -1,6 +1,7 @@
 // clothlab simulate, as a program: what it computes, writes and says, and how it ends.
 #include "simcore/cloth/cloth_state.h"
 #include "simcore/inspect/inspect.h"
+#include "simcore/inspect/stability.h"
 #include "simcore/recording/recording.h"
 #include "simcore/scene/scene_io.h"
 #include "simcore/solver/verlet_solver.h"
@@ -258,6 +259,9 @@ private slots:
         const QString place = QString("frame %1, step %2, ").arg(frame).arg(expected.blowUpStep);
         QVERIFY2(run.err.contains(place), qPrintable(run.err));
         QVERIFY2(run.err.contains(QString("point %1 ").arg(expected.blowUp->point)), qPrintable(run.err));
+        const QString steps = QString("beyond 2.00: at least %1 steps per frame")
+                                  .arg(stability(expected.scene).stableStepsPerFrame.value_or(0));
+        QVERIFY2(run.err.contains(steps), qPrintable(run.err));
         QCOMPARE(files().size(), frame + 2); // frames 0 to the last good one, that one again, and the scene
         QCOMPARE(numbersAfter(read(in("a.obj")), "v ", ' ').size(), 16U);
     }

@@ -1,4 +1,5 @@
 // The program's words and exit statuses: help, wrong usage, bad scenes, check, and windows without a display.
+#include "simcore/inspect/stability.h"
 #include "simcore/scene/scene_io.h"
 #include "tests/support/program.h"
 #include "tests/support/scene_text.h"
@@ -147,6 +148,35 @@ private slots:
         QCOMPARE(run.status, 0);
         QVERIFY(run.err.contains("falls forever"));
         QVERIFY(test::report(run.out).is_object());
+    }
+
+    void checkWarnsOfAStepTooLong() {
+        Scene scene = test::tinyScene();
+        scene.simulation.framesPerSecond = 90;
+        const auto check = [&](int steps) {
+            scene.simulation.stepsPerFrame = steps;
+            return saveScene(scene, m_scene.toStdString()) ? test::ProgramResult{}
+                                                           : runProgram({"check", m_scene});
+        };
+        scene.cloth.ks = 1e7;
+        const int least = stability(scene).stableStepsPerFrame.value_or(0);
+        QVERIFY(least > 10);
+        const auto stable = check(least);
+        QCOMPARE(stable.status, 0);
+        QCOMPARE(stable.out, m_scene + ": no problems\n");
+        const auto unstable = check(least / 2);
+        QCOMPARE(unstable.status, 1);
+        QVERIFY(unstable.err.isEmpty());
+        QCOMPARE(unstable.out,
+                 m_scene + QString(": simulation.steps_per_frame: dt·ω is %1, beyond 2.00 where "
+                                   "the step becomes unstable; %2 steps per frame or more are "
+                                   "stable\n")
+                               .arg(stability(scene).dtOmega, 0, 'f', 2)
+                               .arg(least));
+        // A run warns of the step that it takes, not of that in the file.
+        const QStringList run{"simulate", m_scene, "--frames", "0", "--steps"};
+        QVERIFY(runProgram(run + QStringList{QString::number(least - 1)}).err.contains("beyond 2.00"));
+        QVERIFY(runProgram(run + QStringList{QString::number(least)}).err.isEmpty());
     }
 
     void theScenesThatComeWithTheProgramAreGood() {

@@ -118,9 +118,6 @@ private slots:
             s.spheres.push_back({{1, 1, 1}, 0.1, 0, ""});
         });
         row("across a plane", "plane", [](Scene& s) { s.planes[0] = {{0.5, 0, 0}, {2, 0, 0}, 0, ""}; });
-        row("stiff", "simulation.steps_per_frame", [](Scene& s) { s.cloth.ks = 300'000; });
-        row("light", "simulation.steps_per_frame", [](Scene& s) { s.cloth.density = 1; });
-        row("few steps", "simulation.steps_per_frame", [](Scene& s) { s.simulation.stepsPerFrame = 3; });
         row("falls", "cloth.pinned", [](Scene& s) {
             s.cloth.pinned.clear();
             s.spheres.clear();

@@ -309,6 +309,8 @@ private slots:
         QVERIFY2(match.hasMatch(), qPrintable(words));
         QCOMPARE(match.captured(1).toInt(), match.captured(3).toInt() * 4 + match.captured(2).toInt());
 
+        QVERIFY2(words.contains("beyond 2.00: at least "), qPrintable(words));
+
         run.simulation.showFrame(0); // looking around does not forget it
         QCOMPARE(run.simulation.blowUp(), words);
         run.simulation.showFrame(last);

@@ -40,7 +40,6 @@ private slots:
     void frameTakesItsSteps();
     void frameStopsOnTheFlag();
     void frameStopsWhereItBlowsUp();
-    void describesInWords();
 };
 
 void TestBlowUp::noNanPassesForFine_data() {
@@ -193,13 +192,6 @@ void TestBlowUp::frameStopsWhereItBlowsUp() {
         return;
     }
     QFAIL("no blow-up in ten frames");
-}
-
-void TestBlowUp::describesInWords() {
-    const std::string text = describeBlowUp({Phase::StrainLimit, 47}, 3, 12, Grid{20, 15});
-    for (const char* part :
-         {"47", "7, ", "2)", std::string_view(name(Phase::StrainLimit)).data(), "step 3", "frame 12"})
-        QVERIFY2(text.find(part) != std::string::npos, (text + " / " + part).c_str());
 }
 
 QTEST_APPLESS_MAIN(TestBlowUp)

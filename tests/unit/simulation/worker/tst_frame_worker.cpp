@@ -191,6 +191,7 @@ private slots:
         QCOMPARE(outcome->blowUpStep, step);
         QCOMPARE(outcome->blowUp->point, blowUp->point);
         QCOMPARE(outcome->blowUp->phase, blowUp->phase);
+        QVERIFY(outcome->scene == scene);
 
         // And the worker goes on with what is stable.
         const auto tiny = share(test::tinyScene());
