@@ -24,7 +24,7 @@ RowArrays::RowArrays(const RowLayout& layout, int count) {
     const auto stride = std::size_t(layout.stride);
     m_first = RowLayout::kRowsBefore * stride + RowLayout::kLanes;
     const std::size_t slots =
-        m_first + std::size_t(layout.slots()) + RowLayout::kRowsAfter * stride + RowLayout::kLanes;
+        m_first + std::size_t(layout.slotCount()) + RowLayout::kRowsAfter * stride + RowLayout::kLanes;
     constexpr std::size_t apart = 5 * kCacheLine;
     m_spacing = (roundUp(slots * sizeof(double), kPage) + apart) / sizeof(double);
     m_bytes = roundUp(std::size_t(count) * m_spacing * sizeof(double), kCacheLine);

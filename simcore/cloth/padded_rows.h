@@ -31,7 +31,7 @@ struct RowLayout {
     static constexpr int spread(int length) { return (length + 3) / 8 * 8 + kLanes; }
 
     int slot(int x, int y) const { return y * stride + x; }
-    int slots() const { return height * stride; } // of the points and what is around them
+    int slotCount() const { return height * stride; } // of the points and what is around them
     int pointAt(int slot) const { return slot / stride * width + slot % stride; } // its row-major index
 };
 

@@ -66,7 +66,7 @@ void CellGrid::sort(ConstPointRows position, const RowLayout& layout, double cel
         begin = end += begin;
     forEachSlot(layout, [&](int slot) { // from the end of each cell down
         const std::uint32_t to = --m_begin[m_cell[--point]];
-        slot = layout.slots() - layout.stride + layout.width - 1 - slot;
+        slot = layout.slotCount() - layout.stride + layout.width - 1 - slot;
         m_slot[to] = std::uint32_t(slot);
         m_x[to] = position.x[slot];
         m_y[to] = position.y[slot];
@@ -96,7 +96,7 @@ std::size_t CellGrid::near(const Kernels& kernels, ConstPointRows position, int 
     std::size_t candidates = 0;
     search.runs.clear();
     const auto add = [&](std::int64_t row, std::int64_t from, std::int64_t to) {
-        const Run run{m_begin[std::size_t(row + from)], m_begin[std::size_t(row + to + 1)]};
+        const PlaceRun run{m_begin[std::size_t(row + from)], m_begin[std::size_t(row + to + 1)]};
         if (run.begin == run.end)
             return;
         candidates += run.end - run.begin;

@@ -17,7 +17,7 @@ class CellGrid {
 public:
     // What a search works with; one for each thread.
     struct Search {
-        std::vector<Run> runs;
+        std::vector<PlaceRun> runs;
         std::vector<NearBlock> found;
     };
 

@@ -46,7 +46,7 @@ void SelfCollision::setSheet(const RowLayout& layout, const std::vector<RowRange
     m_layout = layout;
     m_arrays = RowArrays(layout, 3);
     m_listedAt = m_arrays.points(0);
-    m_push.assign(std::size_t(layout.slots()), Push{});
+    m_push.assign(std::size_t(layout.slotCount()), Push{});
     m_bands.clear();
     m_bands.resize(bands.size());
     const std::size_t blocks = std::size_t(layout.width + RowLayout::kLanes - 1) / RowLayout::kLanes;

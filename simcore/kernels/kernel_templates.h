@@ -333,7 +333,7 @@ public:
     }
 
     static std::size_t nearBlock(ConstPointRows position, int slot, double reach, std::uint32_t least,
-                                 const SortedPlaces& places, const Run* runs, std::size_t runCount,
+                                 const SortedPlaces& places, const PlaceRun* runs, std::size_t runCount,
                                  NearBlock* found) {
         const V reachSquared = L::all(reach * reach);
         Row block[kVectors];

@@ -75,7 +75,7 @@ struct SortedPlaces {
     const double* z;
     const std::uint32_t* slot;
 };
-struct Run {
+struct PlaceRun {
     std::uint32_t begin, end;
 };
 // A point near some of the points of a block of RowLayout::kLanes: bit n for the block's nth.
@@ -119,7 +119,7 @@ struct Kernels {
     // Of the places of the runs, those of slots from `least` on and nearer than reach to a point of the block
     // that begins at `slot`. Room for all of them in `found`. Returns how many.
     std::size_t (*nearBlock)(ConstPointRows position, int slot, double reach, std::uint32_t least,
-                             const SortedPlaces& places, const Run* runs, std::size_t runCount,
+                             const SortedPlaces& places, const PlaceRun* runs, std::size_t runCount,
                              NearBlock* found);
 };
 

@@ -82,15 +82,7 @@ void VerletSolver::setScene(const Scene& scene) {
     m_data.gain = dt * dt / m_pointMass;
     // Ten times around the sheet in one step is far beyond anything that cloth does at a useful step size.
     m_data.runawayDistance = 10 * (scene.cloth.width + scene.cloth.height);
-    m_spheres.clear();
-    for (const Sphere& s : scene.spheres)
-        m_spheres.push_back({s.origin.x(), s.origin.y(), s.origin.z(), s.radius, s.friction});
-    m_planes.clear();
-    for (const Plane& p : scene.planes) {
-        const Vec3 normal = p.normal.stableNormalized();
-        m_planes.push_back(
-            {p.point.x(), p.point.y(), p.point.z(), normal.x(), normal.y(), normal.z(), p.friction});
-    }
+    m_colliders.set(scene);
     m_selfCollision.setDistance(2 * scene.cloth.thickness);
     m_strainPipeline.configure(threads(), m_data);
 }
@@ -100,8 +92,9 @@ void VerletSolver::setPinnedSlots() {
     const RowLayout& layout = m_data.layout;
     const std::size_t before =
         std::size_t(RowLayout::kRowsBefore) * std::size_t(layout.stride) + RowLayout::kLanes;
-    m_pinnedSlots.assign(
-        before + std::size_t(layout.slots() + RowLayout::kRowsAfter * layout.stride) + RowLayout::kLanes, 1);
+    m_pinnedSlots.assign(before + std::size_t(layout.slotCount() + RowLayout::kRowsAfter * layout.stride) +
+                             RowLayout::kLanes,
+                         1);
     m_data.pinned = m_pinnedSlots.data() + before;
     for (int y = 0; y < layout.height; ++y)
         std::copy_n(m_pinned.begin() + std::ptrdiff_t(y) * layout.width, layout.width,
@@ -136,13 +129,6 @@ void VerletSolver::collideWithItself(int member, const StepData& data) {
     self.apply(member, data.position, 1.0 / m_scene.simulation.stepsPerFrame);
 }
 
-void VerletSolver::collide(const Member& member, const StepData& data) const {
-    for (const SphereData& sphere : m_spheres)
-        m_kernels->collideSphere(data, member.rows, sphere);
-    for (const PlaneData& plane : m_planes)
-        m_kernels->collidePlane(data, member.rows, plane);
-}
-
 void VerletSolver::limitStrain(int member, int step, const StepData& data) {
     const StrainPipeline::Result result = m_strainPipeline.run(member, step, data, *m_kernels);
     m_members[std::size_t(member)].strainLimitCorrections += result.corrections;
@@ -166,7 +152,7 @@ void VerletSolver::work(int number) {
             break;
         if (m_scene.cloth.thickness > 0)
             collideWithItself(number, data);
-        collide(member, data);
+        m_colliders.collide(*m_kernels, data, member.rows);
         m_barrier->wait();
         limitStrain(number, step, data);
         if (number == 0)
@@ -259,7 +245,8 @@ StepResult VerletSolver::watchedStep(ClothState& state, const PhaseObserver& obs
         if (m_scene.cloth.thickness > 0)
             collideWithItself(m, m_data);
     });
-    share(Phase::Colliders, [&](int m) { collide(m_members[std::size_t(m)], m_data); });
+    share(Phase::Colliders,
+          [&](int m) { m_colliders.collide(*m_kernels, m_data, m_members[std::size_t(m)].rows); });
     share(Phase::StrainLimit, [&](int m) { limitStrain(m, 0, m_data); });
 
     StepResult result;

@@ -4,6 +4,7 @@
 
 #include "simcore/base/worker_team.h"
 #include "simcore/cloth/cloth_state.h"
+#include "simcore/collision/colliders.h"
 #include "simcore/collision/self_collision.h"
 #include "simcore/kernels/kernels.h"
 #include "simcore/solver/rest_rows.h"
@@ -95,7 +96,6 @@ private:
 
     void work(int number); // a member's share of the run at hand
     void collideWithItself(int member, const StepData& data);
-    void collide(const Member& member, const StepData& data) const;
     void limitStrain(int member, int step, const StepData& data);
     bool anyRunaway(int Member::*when) const;
 
@@ -108,8 +108,6 @@ private:
     Sheet m_sheet;
     std::vector<std::uint8_t> m_pinned;
     double m_pointMass = 0;
-    std::vector<SphereData> m_spheres;
-    std::vector<PlaneData> m_planes;
 
     const Kernels* m_kernels;
     RowArrays m_arrays;
@@ -117,6 +115,7 @@ private:
     std::vector<std::uint8_t> m_pinnedSlots;
     StepData m_data;
     SelfCollision m_selfCollision;
+    Colliders m_colliders;
     std::vector<Member> m_members;
     StrainPipeline m_strainPipeline;
 

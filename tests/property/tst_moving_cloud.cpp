@@ -1,6 +1,6 @@
 // Lists of neighbours outlive the step they were made in: on a cloud that moves, every step must still give
 // the bits of all pairs.
-#include "simcore/collision/self_collision.h"
+#include "tests/support/in_rows.h"
 #include "tests/support/random.h"
 
 #include <QtTest>
@@ -37,7 +37,10 @@ private slots:
     void anotherDistanceOrSheetIsNoticed();
 
 private:
-    SelfCollision m_selfCollision; // the same for all, as a solver keeps it
+    // The same for all motions, as a solver keeps it.
+    CloudCollision m_collisions[4] = {CloudCollision(), CloudCollision({bestInstructionSet(), 10, 1}),
+                                      CloudCollision({bestInstructionSet(), 10, 3}),
+                                      CloudCollision({InstructionSet::Scalar, 30, 5})};
 
     void compare(const PointArray& points, const std::vector<std::uint8_t>& pinned, double distance,
                  int step);
@@ -47,8 +50,10 @@ void TestMovingCloud::compare(const PointArray& points, const std::vector<std::u
                               double distance, int step) {
     PointArray expected(points.size()), found(points.size());
     selfCollisionBruteForce(points, pinned, distance, 0.25, expected);
-    m_selfCollision.corrections(points, pinned, distance, 0.25, found);
-    QVERIFY2(expected == found, qPrintable(QStringLiteral("step %1").arg(step)));
+    for (CloudCollision& collision : m_collisions) {
+        collision.corrections(points, pinned, distance, 0.25, found);
+        QVERIFY2(expected == found, qPrintable(QStringLiteral("step %1").arg(step)));
+    }
 }
 
 void TestMovingCloud::everyStepEqualsAllPairs_data() {

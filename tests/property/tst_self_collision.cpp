@@ -1,5 +1,5 @@
 // The accelerated self-collision against all pairs: the same bits, whatever the cloud.
-#include "simcore/collision/self_collision.h"
+#include "tests/support/in_rows.h"
 #include "tests/support/oracle.h"
 #include "tests/support/random.h"
 #include "tests/support/states.h"
@@ -119,18 +119,33 @@ bool sameBits(const PointArray& a, const PointArray& b) {
     return sameBits(a.x, b.x) && sameBits(a.y, b.y) && sameBits(a.z, b.z);
 }
 
+const CloudLayout kLayouts[] = {{InstructionSet::Scalar, 0, 1}, {InstructionSet::Sse2, 0, 1},
+                                {InstructionSet::Avx2, 2, 1},   {InstructionSet::Avx2, 5, 3},
+                                {InstructionSet::Sse2, 3, 4},   {InstructionSet::Scalar, 7, 2},
+                                {InstructionSet::Avx2, 41, 8},  {InstructionSet::Avx2, 1, 2}};
+
 // Both answers, into buffers that held something else before.
 struct Answers {
     PointArray accelerated, bruteForce;
     int corrected = 0;
 };
 
-Answers answers(SelfCollision& selfCollision, const Cloud& cloud) {
+Answers answers(CloudCollision& selfCollision, const Cloud& cloud) {
     Answers a;
     a.accelerated = cloud.points;
     a.bruteForce = cloud.points;
     a.corrected =
         selfCollision.corrections(cloud.points, cloud.pinned, cloud.distance, cloud.share, a.accelerated);
+    for (const CloudLayout& layout : kLayouts) {
+        if (!isSupported(layout.instructionSet))
+            continue;
+        PointArray other(cloud.points.size());
+        CloudCollision(layout).corrections(cloud.points, cloud.pinned, cloud.distance, cloud.share, other);
+        if (!sameBits(other, a.accelerated)) {
+            qWarning("%s differs", layout.describe().c_str());
+            a.corrected = -1;
+        }
+    }
     selfCollisionBruteForce(cloud.points, cloud.pinned, cloud.distance, cloud.share, a.bruteForce);
     return a;
 }
@@ -166,7 +181,7 @@ private slots:
 };
 
 void TestSelfCollision::randomClouds() {
-    SelfCollision selfCollision; // one for all, so that no cloud leaves anything behind for the next
+    CloudCollision selfCollision; // one for all, so that no cloud leaves anything behind for the next
     std::map<std::string, int> correctedByKind;
     for (std::uint64_t seed = 0; seed < kClouds; ++seed) {
         const Cloud cloud = makeCloud(seed);
@@ -191,7 +206,7 @@ void TestSelfCollision::foldedSheet() {
     ClothState state = startState(scene);
     foldSheet(scene, state, scene.cloth.thickness);
     const Cloud cloud{"folded", state.position, pinnedMask(scene.cloth), 2 * scene.cloth.thickness, 1.0 / 30};
-    SelfCollision selfCollision;
+    CloudCollision selfCollision;
     const Answers a = answers(selfCollision, cloud);
     QVERIFY(sameBits(a.accelerated, a.bruteForce));
     QVERIFY(a.corrected > 800);
@@ -206,7 +221,7 @@ void TestSelfCollision::foldedSheet() {
 // where a rounded quotient could put the latter two cells apart.
 void TestSelfCollision::pairAcrossACellBorder() {
     SplitMix64 random(1);
-    SelfCollision selfCollision;
+    CloudCollision selfCollision;
     int withinReach = 0;
     for (int n = 0; n < 20000; ++n) {
         Cloud cloud;
@@ -231,7 +246,7 @@ void TestSelfCollision::pairAcrossACellBorder() {
 }
 
 void TestSelfCollision::pairAcrossEveryCorner() {
-    SelfCollision selfCollision;
+    CloudCollision selfCollision;
     for (int direction = 0; direction < 27; ++direction) {
         const Vec3 towards(direction % 3 - 1, direction / 3 % 3 - 1, direction / 9 - 1);
         if (towards.isZero())
@@ -254,7 +269,7 @@ void TestSelfCollision::oneNeighbour() {
     PointArray points(2);
     points.set(1, Vec3(0.006, 0, 0.008));
     PointArray correction(2);
-    SelfCollision selfCollision;
+    CloudCollision selfCollision;
     QCOMPARE(selfCollision.corrections(points, {0, 0}, 0.02, 0.1, correction), 2);
     // 0.01 apart, so 0.01 short; a tenth of that along (0.6, 0, 0.8).
     QVERIFY((correction.at(1) - Vec3(0.0006, 0, 0.0008)).norm() < 1e-17);
@@ -266,7 +281,7 @@ void TestSelfCollision::meanOfTwoNeighbours() {
     points.set(1, Vec3(0.5, 0, 0));
     points.set(2, Vec3(0, 0.25, 0));
     PointArray correction(3);
-    SelfCollision selfCollision;
+    CloudCollision selfCollision;
     QCOMPARE(selfCollision.corrections(points, {0, 0, 0}, 1, 1, correction), 3);
     QVERIFY((correction.at(0) - Vec3(-0.25, -0.375, 0)).norm() < 1e-16);
 }
@@ -276,7 +291,7 @@ void TestSelfCollision::pinnedPointsPushButStay() {
     points.set(1, Vec3(0.5, 0, 0));
     PointArray correction(2);
     correction.set(0, Vec3(7, 7, 7));
-    SelfCollision selfCollision;
+    CloudCollision selfCollision;
     QCOMPARE(selfCollision.corrections(points, {1, 0}, 1, 1, correction), 1);
     QCOMPARE(correction.at(0), Vec3(0, 0, 0));
     QVERIFY((correction.at(1) - Vec3(0.5, 0, 0)).norm() < 1e-16);
@@ -286,7 +301,7 @@ void TestSelfCollision::coincidentPairCountsForNothing() {
     PointArray points(3);
     points.set(2, Vec3(0.5, 0, 0));
     PointArray correction(3);
-    SelfCollision selfCollision;
+    CloudCollision selfCollision;
     selfCollision.corrections(points, {0, 0, 0}, 1, 1, correction);
     QVERIFY((correction.at(0) - Vec3(-0.5, 0, 0)).norm() < 1e-16); // not halved by the one at its own place
     QVERIFY((correction.at(2) - Vec3(0.5, 0, 0)).norm() < 1e-16);
@@ -296,13 +311,13 @@ void TestSelfCollision::reachIsExclusive() {
     PointArray points(2);
     points.set(1, Vec3(0.5, 0, 0));
     PointArray correction(2);
-    SelfCollision selfCollision;
+    CloudCollision selfCollision;
     QCOMPARE(selfCollision.corrections(points, {0, 0}, 0.5, 1, correction), 0);
     QCOMPARE(selfCollision.corrections(points, {0, 0}, std::nextafter(0.5, 1), 1, correction), 2);
 }
 
 void TestSelfCollision::fewPoints() {
-    SelfCollision selfCollision;
+    CloudCollision selfCollision;
     PointArray none;
     QCOMPARE(selfCollision.corrections(none, {}, 1, 1, none), 0);
     PointArray one(1);

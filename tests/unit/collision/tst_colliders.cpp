@@ -1,6 +1,7 @@
 // Spheres and planes, one point at a time.
-#include "simcore/collision/colliders.h"
+#include "simcore/kernels/model_constants.h"
 #include "simcore/solver/verlet_solver.h"
+#include "tests/support/in_rows.h"
 
 #include <QtTest>
 
@@ -14,6 +15,30 @@ struct Point {
     Vec3 last;
     Vec3 position;
 };
+
+// With every instruction set, which must all do the same.
+void collide(const Scene& scene, const std::vector<std::uint8_t>& pinned, ClothState& state) {
+    const ClothState before = state;
+    collideWith(scene, InstructionSet::Scalar, pinned, state);
+    for (const InstructionSet set : supportedInstructionSets()) {
+        ClothState other = before;
+        collideWith(scene, set, pinned, other);
+        if (stateHash(other) != stateHash(state))
+            state.position.set(0, Vec3(NAN, NAN, NAN));
+    }
+}
+
+void collide(const Sphere& sphere, const std::vector<std::uint8_t>& pinned, ClothState& state) {
+    Scene scene;
+    scene.spheres = {sphere};
+    collide(scene, pinned, state);
+}
+
+void collide(const Plane& plane, const std::vector<std::uint8_t>& pinned, ClothState& state) {
+    Scene scene;
+    scene.planes = {plane};
+    collide(scene, pinned, state);
+}
 
 template <typename Collider>
 Vec3 collided(const Collider& collider, const Point& point, bool pinned = false) {

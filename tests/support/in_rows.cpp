@@ -1,0 +1,102 @@
+#include "tests/support/in_rows.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace clothlab {
+namespace {
+
+// With all around the points pinned.
+std::vector<std::uint8_t> pinnedSlots(const RowLayout& layout, const std::vector<std::uint8_t>& pinned) {
+    std::vector<std::uint8_t> slots(std::size_t(layout.slotCount() + 2 * layout.stride), 1);
+    for (int y = 0; y < layout.height; ++y)
+        for (int x = 0; x < layout.width; ++x)
+            slots[std::size_t(layout.slot(x, y))] = pinned[std::size_t(y * layout.width + x)];
+    return slots;
+}
+
+} // namespace
+
+std::vector<InstructionSet> supportedInstructionSets() {
+    std::vector<InstructionSet> sets;
+    for (const InstructionSet set : {InstructionSet::Scalar, InstructionSet::Sse2, InstructionSet::Avx2})
+        if (isSupported(set))
+            sets.push_back(set);
+    return sets;
+}
+
+std::string CloudLayout::describe() const {
+    std::ostringstream text;
+    text << name(instructionSet) << ", rows of " << width << ", " << bands << " bands";
+    return text.str();
+}
+
+void CloudCollision::lay(int count) {
+    const int width = m_layout.width > 0 && count % m_layout.width == 0 ? m_layout.width : count;
+    if (m_collision && m_rows.width == width && m_rows.height == count / width)
+        return;
+    m_rows = RowLayout(Grid{width, count / width});
+    m_arrays = RowArrays(m_rows, 6);
+    m_bands = std::min(m_layout.bands, m_rows.height);
+    std::vector<RowRange> bands;
+    for (int n = 0; n < m_bands; ++n)
+        bands.push_back({m_rows.height * n / m_bands, m_rows.height * (n + 1) / m_bands});
+    m_collision = std::make_unique<SelfCollision>(kernelsFor(m_layout.instructionSet));
+    m_collision->setSheet(m_rows, bands);
+}
+
+int CloudCollision::corrections(const PointArray& position, const std::vector<std::uint8_t>& pinned,
+                                double distance, double share, PointArray& correction) {
+    if (position.size() == 0)
+        return 0;
+    lay(int(position.size()));
+    const std::vector<std::uint8_t> slots = pinnedSlots(m_rows, pinned);
+    m_collision->setPinned(slots.data());
+    m_collision->setDistance(distance);
+    const PointRows points = m_arrays.points(0);
+    const PointRows moved = m_arrays.points(3); // from the origin, so that nothing is rounded away
+    copyToRows(position, m_rows, points);
+    copyToRows(PointArray(position.size()), m_rows, moved);
+
+    const auto eachBand = [&](const auto& work) {
+        for (int band = 0; band < m_bands; ++band)
+            work(band);
+    };
+    eachBand([&](int band) { m_collision->measure(band, points); });
+    bool hold = true;
+    eachBand([&](int band) { hold = m_collision->listsHold(band) && hold; });
+    if (!hold) {
+        m_collision->sortIntoCells(points);
+        eachBand([&](int band) { m_collision->list(band, points); });
+    }
+    eachBand([&](int band) { m_collision->findPairs(band, points); });
+    if (m_collision->anyPairs()) {
+        eachBand([&](int band) { m_collision->addUp(band, points); });
+        eachBand([&](int band) { m_collision->apply(band, moved, share); });
+    }
+    copyFromRows(moved, m_rows, correction);
+    int count = 0;
+    for (int i = 0; i < int(correction.size()); ++i)
+        count += correction.at(i).isZero(0) ? 0 : 1;
+    return count;
+}
+
+void collideWith(const Scene& scene, InstructionSet set, const std::vector<std::uint8_t>& pinned,
+                 ClothState& state) {
+    StepData data;
+    data.layout = RowLayout(Grid{int(state.size()), 1});
+    RowArrays arrays(data.layout, 6);
+    data.position = arrays.points(0);
+    data.last = arrays.points(3);
+    copyToRows(state.position, data.layout, data.position);
+    copyToRows(state.lastPosition, data.layout, data.last);
+    const std::vector<std::uint8_t> slots = pinnedSlots(data.layout, pinned);
+    data.pinned = slots.data();
+    Colliders colliders;
+    colliders.set(scene);
+    colliders.collide(kernelsFor(set), data, {0, 1});
+    copyFromRows(data.position, data.layout, state.position);
+    copyFromRows(data.last, data.layout, state.lastPosition);
+}
+
+} // namespace clothlab
