@@ -147,6 +147,9 @@ Answers answers(CloudCollision& selfCollision, const Cloud& cloud) {
         }
     }
     selfCollisionBruteForce(cloud.points, cloud.pinned, cloud.distance, cloud.share, a.bruteForce);
+    for (std::vector<double>* coordinate : {&a.bruteForce.x, &a.bruteForce.y, &a.bruteForce.z})
+        for (double& value : *coordinate)
+            value += 0.0; // a negative zero moves nothing either
     return a;
 }
 
@@ -157,9 +160,10 @@ double worstAgainstOracle(const PointArray& corrections, const std::vector<oracl
     return worst;
 }
 
+// Neighbours on opposite sides may ask for nothing in all.
 int correctedPoints(const std::vector<oracle::Correction>& corrections) {
     return int(std::count_if(corrections.begin(), corrections.end(),
-                             [](const oracle::Correction& c) { return c.neighbours > 0; }));
+                             [](const oracle::Correction& c) { return !c.vector.isZero(0); }));
 }
 
 } // namespace
