@@ -45,7 +45,7 @@ QString helpText() {
       --frames N                        frames to simulate (default 90)
       --fps F                           frames per second instead of the scene's
       --steps S                         steps per frame instead of the scene's
-      --threads T                       threads; this version computes with one
+      --threads T                       threads at most (automatic); the result is the same
       --output FILE                     write the last frame as .obj or .csv; with %04d in its name,
                                         every frame from 0, the start; may be given several times
       --report FILE|-                   write measures of the run as JSON

@@ -22,6 +22,7 @@ std::string reportText(const RunSummary& summary, const Sheet& sheet, const Fram
     report["springs"] = sheet.grid.springCount();
     report["frames"] = summary.frames;
     report["steps"] = steps;
+    report["threads"] = summary.threads;
     report["seconds"] = summary.seconds;
     report["point_steps_per_second"] = summary.seconds > 0 ? pointSteps / summary.seconds : 0;
     report["milliseconds_per_frame"] = summary.frames > 0 ? 1000 * summary.seconds / summary.frames : 0;

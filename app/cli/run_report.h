@@ -18,6 +18,7 @@ struct RunBlowUp {
 struct RunSummary {
     int frames = 0; // simulated, all of them good
     double seconds = 0;
+    int threads = 1; // that computed
     std::int64_t strainLimitCorrections = 0;
     std::optional<RunBlowUp> blowUp;
     bool interrupted = false;

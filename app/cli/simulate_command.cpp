@@ -32,7 +32,7 @@ struct Output {
 struct Options {
     QString scene;
     int frames = 90;
-    std::optional<int> framesPerSecond, stepsPerFrame;
+    std::optional<int> framesPerSecond, stepsPerFrame, threads;
     std::vector<Output> outputs;
     QString report;
 };
@@ -87,12 +87,12 @@ QString parse(const QStringList& arguments, Options& options) {
     const auto range = [](const char* id) { return *findParameter(id); };
     const Parameter fps = range("simulation.frames_per_second");
     const Parameter steps = range("simulation.steps_per_frame");
-    std::optional<int> frames = options.frames, threads;
+    std::optional<int> frames = options.frames;
     for (const QString& error :
          {readInteger(parser, "frames", 0, 100'000'000, frames),
           readInteger(parser, "fps", int(fps.minimum), int(fps.maximum), options.framesPerSecond),
           readInteger(parser, "steps", int(steps.minimum), int(steps.maximum), options.stepsPerFrame),
-          readInteger(parser, "threads", 1, 1024, threads),
+          readInteger(parser, "threads", 1, 1024, options.threads),
           readOutputs(parser.values("output"), options.outputs)})
         if (!error.isEmpty())
             return error;
@@ -136,6 +136,7 @@ Run simulate(VerletSolver& solver, const Options& options) {
     const auto scene = std::make_shared<const Scene>(solver.scene());
     const double frameTime = 1.0 / scene->simulation.framesPerSecond;
     Run run;
+    run.summary.threads = solver.threads();
     ClothState state = solver.start();
     run.last = std::make_shared<const Frame>(Frame{state, scene, 0, 0, 0});
     for (int number = 0;; ++number) {
@@ -192,7 +193,9 @@ int simulateCommand(const QStringList& arguments) {
     stopRequested = false;
     std::signal(SIGINT, [](int) { stopRequested = true; });
     std::signal(SIGTERM, [](int) { stopRequested = true; });
-    VerletSolver solver(*reading.scene);
+    SolverSettings solverSettings;
+    solverSettings.threads = options.threads.value_or(0);
+    VerletSolver solver(*reading.scene, solverSettings);
     const Run run = simulate(solver, options);
 
     if (!options.report.isEmpty())

@@ -1,9 +1,21 @@
 #include "app/simulation/frame_worker.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
 namespace clothlab {
+
+namespace {
+
+// One core is left to the window.
+SolverSettings settings() {
+    SolverSettings settings;
+    settings.threads = std::max(1, int(std::thread::hardware_concurrency()) - 1);
+    return settings;
+}
+
+} // namespace
 
 FrameWorker::FrameWorker(std::function<void(FrameOutcome)> deliver)
     : m_deliver(std::move(deliver)), m_thread([this] { run(); }) {}
@@ -52,7 +64,7 @@ void FrameWorker::run() {
 
 FrameOutcome FrameWorker::compute(const FrameRequest& request) {
     if (!m_solver || compareScenes(m_solver->scene(), *request.scene) == SceneChange::Start)
-        m_solver.emplace(*request.scene);
+        m_solver.emplace(*request.scene, settings());
     else
         m_solver->setScene(*request.scene);
 

@@ -72,9 +72,10 @@ class KernelTemplates {
         const Row along = Row::load(data.position, a + offset) - Row::load(data.position, a);
         const V distance = L::squareRoot(along.lengthSquared());
         const V atRest = L::load(rest);
-        // A spring without length has no direction to pull in.
-        const M pulls = L::both(L::less(L::all(0), distance), L::less(atRest, L::all(kNoSpring)));
-        const V scale = L::orZero(pulls, stiffness * (distance - atRest) / distance);
+        const V quotient = stiffness * (distance - atRest) / distance;
+        // Minus infinity, or not a number, where there is no spring, and where one without length has no
+        // direction to pull in.
+        const V scale = L::orZero(L::less(L::all(-kNoSpring), quotient), quotient);
         L::store(to, scale * along.x);
         L::store(to + length, scale * along.y);
         L::store(to + 2 * length, scale * along.z);

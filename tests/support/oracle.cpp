@@ -60,33 +60,39 @@ std::vector<Correction> selfCollisionAllPairs(const std::vector<PointMass>& poin
 
 std::vector<Correction> selfCollisionHashed(const std::vector<PointMass>& points, double distance,
                                             double share) {
-    // Wider than the reach, so that a rounded quotient cannot put two points within reach two cells apart.
-    const double cellSize = 1.01 * distance;
-    std::vector<CellIndex> cells;
-    CellMap map;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const Vec3& p = points[i].position;
-        cells.push_back({std::int64_t(std::floor(p.x() / cellSize)),
+    // Twice the reach, so that what is within it lies in two cells at most along each axis.
+    const double cellSize = 2 * distance;
+    const auto cellOf = [&](const Vec3& p) {
+        return CellIndex{std::int64_t(std::floor(p.x() / cellSize)),
                          std::int64_t(std::floor(p.y() / cellSize)),
-                         std::int64_t(std::floor(p.z() / cellSize))});
-        map[cells.back()].push_back(int(i));
-    }
+                         std::int64_t(std::floor(p.z() / cellSize))};
+    };
+    CellMap map;
+    map.reserve(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+        map[cellOf(points[i].position)].push_back(int(i));
+
+    // A little more than the reach, so that no rounding puts a point within it into a cell not looked at.
+    const Vec3 reach = Vec3::Constant(1.01 * distance);
     std::vector<Correction> corrections(points.size());
     std::vector<int> near;
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (points[i].pinned)
             continue;
         near.clear();
-        for (int n = 0; n < 27; ++n) {
-            const auto found =
-                map.find({cells[i].x + n % 3 - 1, cells[i].y + n / 3 % 3 - 1, cells[i].z + n / 9 - 1});
-            if (found != map.end())
-                near.insert(near.end(), found->second.begin(), found->second.end());
-        }
+        const CellIndex low = cellOf(points[i].position - reach), high = cellOf(points[i].position + reach);
+        for (std::int64_t x = low.x; x <= high.x; ++x)
+            for (std::int64_t y = low.y; y <= high.y; ++y)
+                for (std::int64_t z = low.z; z <= high.z; ++z)
+                    if (const auto found = map.find({x, y, z}); found != map.end())
+                        for (const int j : found->second)
+                            if (j != int(i) &&
+                                lengthSquared(points[i].position - points[std::size_t(j)].position) <
+                                    distance * distance)
+                                near.push_back(j);
         std::sort(near.begin(), near.end());
         for (const int j : near)
-            if (j != int(i))
-                partFrom(points[i].position, points[std::size_t(j)].position, distance, corrections[i]);
+            partFrom(points[i].position, points[std::size_t(j)].position, distance, corrections[i]);
         takeMean(corrections[i], share);
     }
     return corrections;
