@@ -4,11 +4,16 @@
 #include <cstdlib>
 #include <new>
 
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
+
 namespace clothlab {
 namespace {
 
 constexpr std::size_t kCacheLine = 64;
 constexpr std::size_t kPage = 4096;
+constexpr std::size_t kLargePage = std::size_t(2) << 20U; // so that many rows need few entries of the TLB
 
 std::size_t roundUp(std::size_t value, std::size_t multiple) {
     return (value + multiple - 1) / multiple * multiple;
@@ -27,10 +32,16 @@ RowArrays::RowArrays(const RowLayout& layout, int count) {
         m_first + std::size_t(layout.slotCount()) + RowLayout::kRowsAfter * stride + RowLayout::kLanes;
     constexpr std::size_t apart = 5 * kCacheLine;
     m_spacing = (roundUp(slots * sizeof(double), kPage) + apart) / sizeof(double);
-    m_bytes = roundUp(std::size_t(count) * m_spacing * sizeof(double), kCacheLine);
-    m_block.reset(static_cast<double*>(std::aligned_alloc(kCacheLine, m_bytes)));
+    m_bytes = std::size_t(count) * m_spacing * sizeof(double);
+    const std::size_t alignment = m_bytes < kLargePage ? kCacheLine : kLargePage;
+    m_bytes = roundUp(m_bytes, alignment);
+    m_block.reset(static_cast<double*>(std::aligned_alloc(alignment, m_bytes)));
     if (!m_block)
         throw std::bad_alloc();
+#if defined(__linux__)
+    if (alignment == kLargePage)
+        madvise(m_block.get(), m_bytes, MADV_HUGEPAGE); // a wish; nothing is lost if it is not granted
+#endif
     std::fill_n(m_block.get(), m_bytes / sizeof(double), 0.0);
 }
 

@@ -90,6 +90,13 @@ class KernelTemplates {
             pull(data, data.layout.slot(x, y), offset, k, rest + x, to + x, forces.length);
     }
 
+    // All springs that the points of row y take.
+    static void pullFirstRows(const StepData& data, int y, ForceRows& forces) {
+        for (int s = 0; s < 6; ++s)
+            for (int row = y; row <= y - kStencils[std::size_t(s)].dy; ++row)
+                pullRow(data, s, row, forces);
+    }
+
     // What moves the points of one row: the rows of forces on them as ends a and b of each stencil.
     struct Pulls {
         const double* asA[6];
@@ -129,17 +136,11 @@ public:
     // One pass computes the springs that the points of row y are the last to need, and moves the points of
     // the row before. The two take turns stencil by stencil, so that the processor has forces to add while it
     // waits for square roots and quotients.
-    static int verletRows(const StepData& shared, RowRange rows, ForceRows& forces) {
+    static int verletRows(const StepData& shared, RowRange rows, ForceRows& forces, bool goingOn) {
         const StepData data = shared;
         const int length = forces.length;
-        for (const int s : {1, 2, 3, 5})
-            pullRow(data, s, rows.begin, forces);
-        pullRow(data, 5, rows.begin + 1, forces);
-        for (const int s : {0, 4})
-            pullRow(data, s, rows.begin, forces);
-        for (const int s : {1, 2, 3})
-            pullRow(data, s, rows.begin + 1, forces);
-        pullRow(data, 5, rows.begin + 2, forces);
+        if (!goingOn)
+            pullFirstRows(data, rows.begin, forces);
         V stiffnesses[6];
         int offsets[6];
         for (int s = 0; s < 6; ++s) {

@@ -94,8 +94,9 @@ struct BlockLists {
 // runawayDistance or more since its last position, or has no finite place.
 struct Kernels {
     // Phases 1 and 2. Where a point will be goes to data.last, so that forces come from the old positions
-    // however the sheet is cut into ranges; the caller then exchanges position and last.
-    int (*verletRows)(const StepData& data, RowRange rows, ForceRows& forces);
+    // however the sheet is cut into ranges; the caller then exchanges position and last. goingOn: `forces` is
+    // as the call for the rows right before these left it.
+    int (*verletRows)(const StepData& data, RowRange rows, ForceRows& forces, bool goingOn);
     // Phase 4.
     void (*collideSphere)(const StepData& data, RowRange rows, const SphereData& sphere);
     void (*collidePlane)(const StepData& data, RowRange rows, const PlaneData& plane);

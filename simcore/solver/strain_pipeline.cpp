@@ -36,30 +36,31 @@ void StrainPipeline::restart() {
         m_members[std::size_t(m)].rowsDone.store(0, std::memory_order_relaxed);
 }
 
-StrainPipeline::Result StrainPipeline::run(int member, int pass, const StepData& data,
-                                           const Kernels& kernels) {
+void StrainPipeline::advance(int member, int pass, int ready, const StepData& data, const Kernels& kernels,
+                             Result& result) {
     Member& mine = m_members[std::size_t(member)];
     const std::atomic<std::int64_t>* before =
         member > 0 ? &m_members[std::size_t(member - 1)].rowsDone : nullptr;
     const bool last = member == m_count - 1;
-    const auto isRow = [&](int y) { return y >= 0 && y < data.layout.height; };
-    Result result;
+    const int height = data.layout.height;
+    const auto isRow = [&](int y) { return y >= 0 && y < height; };
+    const std::int64_t passed = std::int64_t(pass) * m_rows;
+    const auto end = passed + (ready < height ? ready : m_rows);
     std::int64_t seen = 0;
-    for (int row = 0; row < m_rows; ++row) {
-        const std::int64_t needed = std::int64_t(pass) * m_rows + row + 1;
-        if (before != nullptr && seen < needed)
-            waitUntil(*before, [&](std::int64_t done) { return (seen = done) >= needed; });
+    for (std::int64_t done = mine.rowsDone.load(std::memory_order_relaxed); done < end; ++done) {
+        if (before != nullptr && seen <= done)
+            waitUntil(*before, [&](std::int64_t value) { return (seen = value) > done; });
+        const int row = int(done - passed);
         std::array<StencilRow, kStencils.size()> rows{};
         int count = 0;
         for (const Stage& stage : mine.stages)
             if (const int y = row - stage.rowsBehind; isRow(y))
                 rows[std::size_t(count++)] = {stage.stencil, y};
         result.corrections += kernels.limitRows(data, rows.data(), count);
-        mine.rowsDone.store(needed, std::memory_order_release);
+        mine.rowsDone.store(done + 1, std::memory_order_release);
         if (const int y = row - m_lastBehind; last && isRow(y) && result.runaway < 0)
             result.runaway = kernels.firstRunaway(data, {y, y + 1});
     }
-    return result;
 }
 
 } // namespace clothlab

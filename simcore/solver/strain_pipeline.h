@@ -19,12 +19,15 @@ public:
     void restart(); // before a run, by one thread
 
     // What one member does of the strain limit, at the same time as the others; pass: counts from 0 since
-    // restart(). Returns how many springs it shortened; the last member also looks for the first runaway.
+    // restart(). Shortens springs as far as they can be once the rows before `ready` are where the phases
+    // before put them: all, once ready is the number of rows. The last member also looks for the first
+    // runaway.
     struct Result {
         int corrections = 0;
         int runaway = -1; // slot
     };
-    Result run(int member, int pass, const StepData& data, const Kernels& kernels);
+    void advance(int member, int pass, int ready, const StepData& data, const Kernels& kernels,
+                 Result& result);
 
 private:
     struct Stage {
@@ -33,7 +36,7 @@ private:
     };
     struct alignas(64) Member {
         std::vector<Stage> stages;
-        std::atomic<std::int64_t> rowsDone{0}; // over all passes
+        std::atomic<std::int64_t> rowsDone{0}; // over all passes; of sweeps, see advance()
     };
     int m_rows = 0;       // of a pass: those of the sheet, and as many as the last stage is behind
     int m_lastBehind = 0; // a row is in its final place so many rows behind the first stencil's

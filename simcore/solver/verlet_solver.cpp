@@ -129,44 +129,75 @@ void VerletSolver::collideWithItself(int member, const StepData& data) {
     self.apply(member, data.position, 1.0 / m_scene.simulation.stepsPerFrame);
 }
 
-void VerletSolver::limitStrain(int member, int step, const StepData& data) {
-    const StrainPipeline::Result result = m_strainPipeline.run(member, step, data, *m_kernels);
-    m_members[std::size_t(member)].strainLimitCorrections += result.corrections;
-    m_members[std::size_t(member)].runawayAtEnd = result.runaway;
+void VerletSolver::limitStrain(int number, int step, int ready, const StepData& data) {
+    m_strainPipeline.advance(number, step, ready, data, *m_kernels, m_members[std::size_t(number)].strain);
 }
 
-bool VerletSolver::anyRunaway(int Member::*when) const {
-    return std::ranges::any_of(m_members, [=](const Member& member) { return member.*when >= 0; });
+bool VerletSolver::anyRunaway() const {
+    return std::ranges::any_of(m_members, [](const Member& member) { return member.runaway >= 0; });
+}
+
+bool VerletSolver::anyRunawayAtEnd() const {
+    return std::ranges::any_of(m_members, [](const Member& member) { return member.strain.runaway >= 0; });
+}
+
+// The first phases, a few rows at a time while they are in the cache: all that need not wait for other rows.
+void VerletSolver::moveRows(int number, int step, StepData& data) {
+    constexpr int kRows = 4;
+    Member& member = m_members[std::size_t(number)];
+    StepData next = data;
+    std::swap(next.position, next.last);
+    member.runaway = -1;
+    if (isUncut())
+        member.strain = {};
+    for (int y = member.rows.begin; y < member.rows.end; y += kRows) {
+        const RowRange rows{y, std::min(y + kRows, member.rows.end)};
+        const int runaway = m_kernels->verletRows(data, rows, member.forces, y > member.rows.begin);
+        if (member.runaway < 0)
+            member.runaway = runaway;
+        if (!collidesWithItself())
+            m_colliders.collide(*m_kernels, next, rows);
+        if (isUncut())
+            limitStrain(number, step, rows.end, next);
+    }
+    data = next;
+}
+
+// One step of a member. False: a point ran away.
+bool VerletSolver::takeStep(int number, int step, StepData& data) {
+    Member& member = m_members[std::size_t(number)];
+    moveRows(number, step, data);
+    m_barrier->wait();
+    // Before anything looks for neighbours: what is not a number has no cell, and would spread.
+    if (anyRunaway())
+        return false;
+    if (collidesWithItself()) {
+        collideWithItself(number, data);
+        m_colliders.collide(*m_kernels, data, member.rows);
+        m_barrier->wait();
+    }
+    if (!isUncut()) {
+        member.strain = {};
+        limitStrain(number, step, data.layout.height, data);
+    }
+    member.strainLimitCorrections += member.strain.corrections;
+    if (number == 0)
+        m_stopping = m_stop->load(std::memory_order_relaxed);
+    m_barrier->wait();
+    return !anyRunawayAtEnd();
 }
 
 void VerletSolver::work(int number) {
-    Member& member = m_members[std::size_t(number)];
     StepData data = m_data;
-    int step = 0;
-    for (; step < m_steps; ++step) {
-        member.runaway = m_kernels->verletRows(data, member.rows, member.forces);
-        std::swap(data.position, data.last);
-        m_barrier->wait();
-        // Before anything looks for neighbours: what is not a number has no cell, and would spread.
-        if (anyRunaway(&Member::runaway))
-            break;
-        if (m_scene.cloth.thickness > 0)
-            collideWithItself(number, data);
-        m_colliders.collide(*m_kernels, data, member.rows);
-        m_barrier->wait();
-        limitStrain(number, step, data);
-        if (number == 0)
-            m_stopping = m_stop->load(std::memory_order_relaxed);
-        m_barrier->wait();
-        if (anyRunaway(&Member::runawayAtEnd))
-            break;
-        if (m_stopping && ++step > 0)
+    int done = 0;
+    while (done < m_steps && takeStep(number, done, data)) {
+        ++done;
+        if (m_stopping)
             break;
     }
     if (number == 0) {
-        m_stepsDone = step;
-        m_data.position = data.position;
-        m_data.last = data.last;
+        m_stepsDone = done;
+        m_data = data;
     }
 }
 
@@ -175,7 +206,8 @@ void VerletSolver::begin(const ClothState& state) {
     copyToRows(state.lastPosition, m_data.layout, m_data.last);
     m_strainPipeline.restart();
     for (Member& member : m_members) {
-        member.runaway = member.runawayAtEnd = -1;
+        member.runaway = -1;
+        member.strain = {};
         member.strainLimitCorrections = 0;
     }
 }
@@ -191,7 +223,7 @@ RunResult VerletSolver::run(ClothState& state, int steps, const std::atomic<bool
     result.steps = m_stepsDone;
     for (const Member& member : m_members)
         result.strainLimitCorrections += member.strainLimitCorrections;
-    if (anyRunaway(&Member::runaway) || anyRunaway(&Member::runawayAtEnd))
+    if (anyRunaway() || anyRunawayAtEnd())
         result.blowUp = findBlowUp(state, m_stepsDone);
     else
         store(state);
@@ -234,25 +266,25 @@ StepResult VerletSolver::watchedStep(ClothState& state, const PhaseObserver& obs
     first = firstWithoutForce(state.position);
     m_team->run([&](int m) {
         Member& member = m_members[std::size_t(m)];
-        member.runaway = m_kernels->verletRows(m_data, member.rows, member.forces);
+        member.runaway = m_kernels->verletRows(m_data, member.rows, member.forces, false);
     });
     std::swap(m_data.position, m_data.last);
     store(now);
     watch(Phase::Verlet);
-    if (anyRunaway(&Member::runaway))
+    if (anyRunaway())
         return {0, first};
     share(Phase::SelfCollision, [&](int m) {
-        if (m_scene.cloth.thickness > 0)
+        if (collidesWithItself())
             collideWithItself(m, m_data);
     });
     share(Phase::Colliders,
           [&](int m) { m_colliders.collide(*m_kernels, m_data, m_members[std::size_t(m)].rows); });
-    share(Phase::StrainLimit, [&](int m) { limitStrain(m, 0, m_data); });
+    share(Phase::StrainLimit, [&](int m) { limitStrain(m, 0, m_data.layout.height, m_data); });
 
     StepResult result;
     for (const Member& member : m_members)
-        result.strainLimitCorrections += int(member.strainLimitCorrections);
-    if (anyRunaway(&Member::runawayAtEnd))
+        result.strainLimitCorrections += member.strain.corrections;
+    if (anyRunawayAtEnd())
         result.blowUp = first;
     else
         state = std::move(now);

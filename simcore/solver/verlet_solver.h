@@ -85,8 +85,8 @@ private:
         Member(RowRange rowRange, const RowLayout& layout) : rows(rowRange), forces(layout) {}
         RowRange rows;
         ForceRows forces;
-        int runaway = -1;      // slot, after Verlet
-        int runawayAtEnd = -1; // slot, after the strain limit
+        int runaway = -1;              // slot, after Verlet
+        StrainPipeline::Result strain; // of the step at hand
         std::int64_t strainLimitCorrections = 0;
     };
     void makeMembers(int count);
@@ -96,8 +96,14 @@ private:
 
     void work(int number); // a member's share of the run at hand
     void collideWithItself(int member, const StepData& data);
-    void limitStrain(int member, int step, const StepData& data);
-    bool anyRunaway(int Member::*when) const;
+    void limitStrain(int number, int step, int ready, const StepData& data);
+    void moveRows(int number, int step, StepData& data);
+    bool takeStep(int number, int step, StepData& data);
+    bool anyRunaway() const;      // after Verlet
+    bool anyRunawayAtEnd() const; // after the strain limit
+    bool collidesWithItself() const { return m_scene.cloth.thickness > 0; }
+    // Then all phases of a row can follow one another.
+    bool isUncut() const { return m_members.size() == 1 && !collidesWithItself(); }
 
     StepResult watchedStep(ClothState& state, const PhaseObserver& observer);
     BlowUp findBlowUp(ClothState state, int steps);

@@ -136,7 +136,7 @@ void runPhase(benchmark::State& state, const std::string& phase, int size, Instr
     const double distance = 2 * scene.cloth.thickness;
     for ([[maybe_unused]] const auto _ : state) {
         if (phase == "forces and Verlet")
-            benchmark::DoNotOptimize(kernels.verletRows(data, all, forces));
+            benchmark::DoNotOptimize(kernels.verletRows(data, all, forces, false));
         else if (phase == "strain limit")
             for (int y = 0; y < layout.height; ++y) {
                 std::array<StencilRow, kStencils.size()> rows{};
