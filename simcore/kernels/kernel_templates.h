@@ -66,19 +66,23 @@ class KernelTemplates {
         return L::all(data.enabled[std::size_t(s)] ? data.stiffness[std::size_t(s)] : 0);
     }
 
-    // The forces of the springs that start at slot a and the next ones.
-    static void pull(const StepData& data, int a, int offset, V stiffness, const double* rest, double* to,
-                     int length) {
+    // Springs that start at the same row of lanes: from end to end, and how long.
+    struct Springs {
+        Row along;
+        V length;
+    };
+    static Springs springs(const StepData& data, int a, int offset) {
         const Row along = Row::load(data.position, a + offset) - Row::load(data.position, a);
-        const V distance = L::squareRoot(along.lengthSquared());
-        const V atRest = L::load(rest);
-        const V quotient = stiffness * (distance - atRest) / distance;
+        return {along, L::squareRoot(along.lengthSquared())};
+    }
+    static void pull(const Springs& springs, V stiffness, const double* rest, double* to, int rowLength) {
+        const V quotient = stiffness * (springs.length - L::load(rest)) / springs.length;
         // Minus infinity, or not a number, where there is no spring, and where one without length has no
         // direction to pull in.
-        const V scale = L::orZero(L::less(L::all(-kNoSpring), quotient), quotient);
-        L::store(to, scale * along.x);
-        L::store(to + length, scale * along.y);
-        L::store(to + 2 * length, scale * along.z);
+        const Row force = springs.along * L::orZero(L::less(L::all(-kNoSpring), quotient), quotient);
+        L::store(to, force.x);
+        L::store(to + rowLength, force.y);
+        L::store(to + 2 * rowLength, force.z);
     }
 
     static void pullRow(const StepData& data, int s, int y, ForceRows& forces) {
@@ -87,7 +91,7 @@ class KernelTemplates {
         const double* const rest = data.restLength[std::size_t(s)][y];
         double* const to = forceRow(forces, s, y);
         for (int x = 0; x < data.layout.width; x += L::kCount)
-            pull(data, data.layout.slot(x, y), offset, k, rest + x, to + x, forces.length);
+            pull(springs(data, data.layout.slot(x, y), offset), k, rest + x, to + x, forces.length);
     }
 
     // All springs that the points of row y take.
@@ -138,7 +142,7 @@ public:
     // waits for square roots and quotients.
     static int verletRows(const StepData& shared, RowRange rows, ForceRows& forces, bool goingOn) {
         const StepData data = shared;
-        const int length = forces.length;
+        const int rowLength = forces.length;
         if (!goingOn)
             pullFirstRows(data, rows.begin, forces);
         V stiffnesses[6];
@@ -161,11 +165,14 @@ public:
             for (int x = 0; x < data.layout.width; x += L::kCount) {
                 const int a = data.layout.slot(x, y);
                 Row force = weight;
+                Springs all[6];
+#pragma GCC unroll 6
+                for (int s = 0; s < 6; ++s)
+                    all[s] = springs(data, a - kStencils[std::size_t(s)].dy * data.layout.stride, offsets[s]);
 #pragma GCC unroll 6
                 for (int s = 0; s < 6; ++s) {
-                    pull(data, a - kStencils[std::size_t(s)].dy * data.layout.stride, offsets[s],
-                         stiffnesses[s], rest[s] + x, to[s] + x, length);
-                    addPulls(pulls, s, x, length, force);
+                    pull(all[s], stiffnesses[s], rest[s] + x, to[s] + x, rowLength);
+                    addPulls(pulls, s, x, rowLength, force);
                 }
                 const unsigned out = move(data, force, a - data.layout.stride);
                 if (out != 0 && runaway < 0)
