@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kLongSteps = 10'000;
 constexpr int kStepsToContact = 2000; // by then every scene of the course has folds or lies on something
-constexpr int kShortSteps = 150;      // more threads than cores take a few milliseconds a step
+constexpr int kShortSteps = 60;       // more threads than cores take a few milliseconds a step
 constexpr int kRandomRuns = 50;
 constexpr int kRandomSteps = 300;
 
