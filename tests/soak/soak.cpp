@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::chrono::seconds kBetweenChanges{1};
 constexpr std::chrono::seconds kLongestStep{60};
-constexpr int kChangesOfAScene = 8; // then it is the next one's turn
+constexpr int kChangesOfAScene = 20; // then it is the next one's turn
 
 struct Summary {
     std::int64_t frames = 0; // whole ones
