@@ -1,6 +1,5 @@
 #include "tests/support/oracle_run.h"
 
-#include "simcore/solver/verlet_solver.h"
 #include "tests/support/states.h"
 
 #include <cmath>
@@ -15,8 +14,8 @@ std::string OracleRun::describe() const {
     return out.str();
 }
 
-OracleRun runBeside(const Start& start, int steps) {
-    VerletSolver solver(start.scene);
+OracleRun runBeside(const Start& start, int steps, const SolverSettings& settings) {
+    VerletSolver solver(start.scene, settings);
     ClothState state = start.state;
     oracle::Cloth cloth(start.scene);
     copyState(start.state, cloth.points);

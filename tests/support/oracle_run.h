@@ -1,7 +1,7 @@
 // simcore and the oracle side by side over a run.
 #pragma once
 
-#include "simcore/cloth/cloth_state.h"
+#include "simcore/solver/verlet_solver.h"
 #include "tests/support/oracle.h"
 
 #include <string>
@@ -25,6 +25,6 @@ struct OracleRun {
     std::string describe() const;
 };
 
-OracleRun runBeside(const Start& start, int steps);
+OracleRun runBeside(const Start& start, int steps, const SolverSettings& settings = {});
 
 } // namespace clothlab
