@@ -143,7 +143,7 @@ bool VerletSolver::anyRunawayAtEnd() const {
 
 // The first phases, a few rows at a time while they are in the cache: all that need not wait for other rows.
 void VerletSolver::moveRows(int number, int step, StepData& data) {
-    constexpr int kRows = 4;
+    constexpr int kRows = 16;
     Member& member = m_members[std::size_t(number)];
     StepData next = data;
     std::swap(next.position, next.last);
