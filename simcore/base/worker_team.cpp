@@ -21,16 +21,9 @@ void Barrier::wait() {
     if (m_missing.fetch_sub(1, std::memory_order_acq_rel) == 1) {
         m_missing.store(m_members, std::memory_order_relaxed);
         m_round.store(round + 1, std::memory_order_release);
-        m_round.notify_all();
         return;
     }
-    constexpr int kSpins = 4000;
-    for (int n = 0; n < kSpins; ++n) {
-        if (m_round.load(std::memory_order_acquire) != round)
-            return;
-        relaxProcessor();
-    }
-    m_round.wait(round, std::memory_order_acquire);
+    waitUntil(m_round, [&](unsigned now) { return now != round; });
 }
 
 WorkerTeam::WorkerTeam(int members) {

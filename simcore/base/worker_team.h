@@ -8,8 +8,7 @@
 
 namespace clothlab {
 
-// All of a team wait here for each other. Spins at first, as the others are usually about to come, then
-// sleeps.
+// All of a team wait here for each other; see waitUntil.
 class Barrier {
 public:
     explicit Barrier(int members) : m_members(members), m_missing(members) {}
@@ -21,8 +20,9 @@ private:
     alignas(64) std::atomic<unsigned> m_round{0};
 };
 
-// Waits until value satisfies done(value): spinning, then giving up its turn. For waits that are short, or
-// on a thread that is at work.
+// Waits until value satisfies done(value), for others that are at work and about to come: spins, then gives
+// up its turn again and again. It does not sleep: of threads that wake each other up, a system may well leave
+// two on one core and another core idle.
 template <typename T, typename Done>
 void waitUntil(const std::atomic<T>& value, Done done);
 
@@ -52,7 +52,7 @@ void relaxProcessor(); // for the body of a loop that spins
 
 template <typename T, typename Done>
 void waitUntil(const std::atomic<T>& value, Done done) {
-    constexpr int kSpins = 2000;
+    constexpr int kSpins = 500;
     for (int n = 0; !done(value.load(std::memory_order_acquire)); ++n)
         if (n < kSpins)
             relaxProcessor();
