@@ -10,11 +10,10 @@
 namespace clothlab {
 
 // Slot of point (x, y): y * stride + x. Around the points of a row there are slots that belong to that row
-// alone: kLeft before the first, and after the last up to a multiple of kLanes and one more. Two whole rows
-// lie before row 0. All of these hold finite numbers that no spring joins.
+// alone: two before the first, and after the last up to a multiple of kLanes and one more. Whole rows lie
+// before row 0 and after the last. All of these hold finite numbers that no spring joins.
 struct RowLayout {
     static constexpr int kLanes = 4; // doubles in the widest vector in use
-    static constexpr int kLeft = 2;
     static constexpr int kRowsBefore = 2;
     static constexpr int kRowsAfter = 3;
 
@@ -32,7 +31,6 @@ struct RowLayout {
 
     int slot(int x, int y) const { return y * stride + x; }
     int slotCount() const { return height * stride; } // of the points and what is around them
-    int pointAt(int slot) const { return slot / stride * width + slot % stride; } // its row-major index
 };
 
 // Rows [begin, end).

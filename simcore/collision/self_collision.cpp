@@ -236,7 +236,6 @@ void SelfCollision::addUpCrowded(Band& band, ConstPointRows position) {
                     add(position, point, other); // itself is at the same place
             }
         }
-    near.resize(near.capacity());
 }
 
 void SelfCollision::move(std::uint32_t slot, PointRows position, double share) {

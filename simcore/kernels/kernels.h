@@ -55,7 +55,6 @@ struct ForceRows {
     static constexpr int kRows = 17;
     static constexpr int kBefore = RowLayout::kLanes; // in front of the first point of a row
 
-    ForceRows() = default;
     explicit ForceRows(const RowLayout& layout);
     double* row(int n) { return values.data() + std::size_t(n) * 3 * std::size_t(length) + kBefore; }
 

@@ -8,7 +8,7 @@
 namespace clothlab {
 
 struct FrameResult {
-    bool finished = false; // false: stopped by the flag or blown up; the state is then of no use
+    bool finished = false;                   // false: stopped by the flag, between two steps, or blown up
     std::int64_t strainLimitCorrections = 0; // in this frame
     std::optional<BlowUp> blowUp;
     int blowUpStep = 0; // 1 … stepsPerFrame, where it blew up

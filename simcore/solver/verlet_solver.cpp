@@ -35,7 +35,7 @@ std::string_view name(Phase phase) {
 }
 
 VerletSolver::VerletSolver(const Scene& scene, const SolverSettings& settings)
-    : m_scene(scene), m_settings(settings), m_sheet{gridOf(scene.cloth), startState(scene).position},
+    : m_scene(scene), m_sheet{gridOf(scene.cloth), startState(scene).position},
       m_kernels(&kernelsFor(settings.instructionSet)), m_selfCollision(*m_kernels) {
     const RowLayout layout(m_sheet.grid);
     m_arrays = RowArrays(layout, 6);

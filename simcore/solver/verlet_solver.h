@@ -10,7 +10,6 @@
 #include "simcore/solver/rest_rows.h"
 #include "simcore/solver/strain_pipeline.h"
 
-#include <array>
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -110,7 +109,6 @@ private:
     std::optional<BlowUp> firstWithoutForce(const PointArray& position) const;
 
     Scene m_scene;
-    SolverSettings m_settings;
     Sheet m_sheet;
     std::vector<std::uint8_t> m_pinned;
     double m_pointMass = 0;

@@ -2,7 +2,7 @@
 //
 // With CLOTHLAB_LONG=1 in the environment, the scenes of the course run 10,000 steps in every way, and random
 // scenes run in all ways instead of one each. That takes minutes, more than ctest allows: start
-// build/release/tests/property_same_bits itself.
+// build/release/tests/property_same_bits itself, with QTEST_FUNCTION_TIMEOUT=3600000.
 #include "simcore/scene/scene_io.h"
 #include "tests/support/oracle_run.h"
 #include "tests/support/random_run.h"

@@ -113,7 +113,7 @@ void TestWorkerTeam::whatIsWrittenBeforeABarrierIsSeenBehindIt() {
     QCOMPARE(wrong, std::vector<int>(size, 0));
 }
 
-// Longer than anybody spins, so that the others sleep and have to be woken.
+// Longer than anybody spins, so that the others give up their turn again and again.
 void TestWorkerTeam::aBarrierHoldsTheFastForTheSlow() {
     WorkerTeam team(3);
     Barrier barrier(3);
