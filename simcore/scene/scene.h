@@ -7,8 +7,11 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace clothlab {
@@ -76,13 +79,47 @@ struct SimulationSettings {
     double timeStep() const { return 1.0 / (static_cast<double>(framesPerSecond) * stepsPerFrame); } // s
 };
 
+using Rgb = std::array<double, 3>; // sRGB, 0 … 1
+
+// What a user set a uniform of a shader to: bool, int or float, vec2 to vec4 or a colour, a file for a
+// sampler.
+using UniformValue = std::variant<bool, double, std::vector<double>, std::string>;
+using UniformValues = std::map<std::string, UniformValue, std::less<>>; // by the uniform's name
+
+enum class SpringColoring { ByType, ByStrain };
+
+inline constexpr int kTextures = 4; // u_texture_1 … u_texture_4 of the course
+
+// Files are named relative to the scene's file, or absolutely; an empty name is what comes with the program.
 struct Appearance {
-    std::string shader = "Phong";         // name of a .frag in shaders/
-    std::array<double, 3> color{1, 1, 1}; // sRGB, 0 … 1
+    std::string shader = "Phong"; // name of a .frag in shaders/
+    Rgb color{1, 1, 1};
+    std::optional<Rgb> backColor; // of the sheet's other side; none: the same
+    bool twoSided = true; // each side is lit as if it faced the light, or the back as if it were the front
     std::array<bool, kSpringTypes> springsDrawn{true, true, true};
     bool springsOverSurface = false; // draw springs with every shader, not only with Wireframe
+    SpringColoring springColoring = SpringColoring::ByType;
+    double strainRange =
+        0.1; // at the ends of the colours of strain; 0: the greatest of the frame that is shown
+
+    std::array<double, 3> lightPosition{0.5, 2, 2}; // m
+    std::array<double, 3> lightIntensity{3, 3, 3};  // red, green, blue, at a distance of 1 m
+    bool shadows = true;
+    std::optional<Rgb> background; // none: the program's
+    bool groundGrid = true;
+    bool axes = true;
+    int samples = 4; // a pixel: 1, 2, 4 or 8
+
+    int meshResolution = 0; // cells of the drawn sheet and spheres along a side, 16 … 512; 0: as simulated
+    double normalScaling = 2;
+    double heightScaling = 0.1;
+    std::array<std::string, kTextures> textures;
+    std::string cubemap;                           // a folder with posx, negx, posy, negy, posz, negz
+    std::map<std::string, UniformValues> uniforms; // by the shader's name; what is not there has its default
+
     std::string unknownKeys;
-    std::string unknownSpringKeys; // of the object springs_drawn
+    std::string unknownSpringKeys;  // of the object springs_drawn
+    std::string unknownTextureKeys; // of the object textures
     friend bool operator==(const Appearance&, const Appearance&) = default;
 };
 
