@@ -1,10 +1,9 @@
 #version 330
 
-// Draws springs in the colour of their type. v_line is there for this shader alone: how far from the middle of the
-// line the pixel is and half the line's width, both in pixels, and how opaque a thin line is.
+// Draws springs in the colour of their type or of their strain. v_line is there for this shader alone: how far from the
+// middle of the line the pixel is and half the line's width, both in pixels, and how opaque a thin line is.
 
-uniform vec4 u_color;
-
+in vec4 v_color;
 noperspective in vec3 v_line;
 
 out vec4 out_color;
@@ -13,5 +12,5 @@ void main() {
     float covered = clamp(v_line.y + 0.5 - abs(v_line.x), 0.0, 1.0);
     if (covered < 0.05)
         discard; // or its depth would cut a dark seam into lines behind
-    out_color = vec4(u_color.rgb, u_color.a * covered * v_line.z);
+    out_color = vec4(v_color.rgb, v_color.a * covered * v_line.z);
 }

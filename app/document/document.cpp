@@ -26,6 +26,10 @@ Document::Document(QObject* parent) : QObject(parent), m_scene(std::make_shared<
     connect(&m_undoStack, &QUndoStack::cleanChanged, this, &Document::fileChanged);
 }
 
+QString Document::folder() const {
+    return m_path.isEmpty() ? QString() : QFileInfo(m_path).absolutePath();
+}
+
 QString Document::displayName() const {
     return m_path.isEmpty() ? tr("Untitled") : QFileInfo(m_path).fileName();
 }

@@ -28,6 +28,7 @@ public:
     Grid grid() const { return gridOf(m_scene->cloth); }
 
     QString path() const { return m_path; } // empty until saved
+    QString folder() const;                 // of path(); empty until saved
     QString displayName() const;            // the file's name, or "Untitled"
     bool isModified() const { return !m_undoStack.isClean(); }
     QUndoStack& undoStack() { return m_undoStack; }

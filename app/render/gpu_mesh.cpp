@@ -75,21 +75,49 @@ void SheetBuffers::initialize(Gl& gl) {
 
 void SheetBuffers::destroy(Gl& gl) {
     destroyVertexArray(gl, m_vertexArray);
-    for (GpuBuffer* buffer : {&m_vertices, &m_uvs, &m_triangles, &m_pinned})
+    for (GpuBuffer* buffer : {&m_vertices, &m_uvs, &m_triangles, &m_strains, &m_rest, &m_pinned})
         buffer->destroy(gl);
     for (GpuBuffer& buffer : m_springs)
         buffer.destroy(gl);
     *this = SheetBuffers();
 }
 
-void SheetBuffers::update(Gl& gl, const SheetShape& sheet) {
+SheetMesh::Change SheetBuffers::update(Gl& gl, const SheetShape& sheet) {
     const SheetMesh::Change change = m_mesh.update(sheet);
     gl.glBindVertexArray(m_vertexArray);
     if (change == SheetMesh::Change::Size)
         uploadTopology(gl);
     if (change != SheetMesh::Change::Nothing)
         m_vertices.upload(gl, GL_ARRAY_BUFFER, std::span(m_mesh.mesh().vertices), GL_STREAM_DRAW);
+    uploadStrains(gl, sheet);
+    uploadRest(gl, sheet);
     uploadPinned(gl, sheet);
+    return change;
+}
+
+// What no array gives is 0 in every shader.
+void SheetBuffers::uploadStrains(Gl& gl, const SheetShape& sheet) {
+    const bool fits = !isEmpty() && sheet.strains.size() == m_mesh.mesh().vertices.size();
+    if (fits) {
+        m_strains.upload(gl, GL_ARRAY_BUFFER, std::span(sheet.strains), GL_STREAM_DRAW);
+        attribute(gl, kStrain, 1, sizeof(float), 0);
+    } else if (m_hasStrains) {
+        gl.glDisableVertexAttribArray(kStrain);
+    }
+    m_hasStrains = fits;
+}
+
+void SheetBuffers::uploadRest(Gl& gl, const SheetShape& sheet) {
+    const auto& rest = sheet.restPositions;
+    const bool fits = rest && !isEmpty() && rest->size() == 3 * m_mesh.mesh().vertices.size();
+    if (!fits) {
+        gl.glDisableVertexAttribArray(kRest);
+        m_restPositions.reset();
+    } else if (rest != m_restPositions) {
+        m_rest.upload(gl, GL_ARRAY_BUFFER, std::span(*rest), GL_STATIC_DRAW);
+        attribute(gl, kRest, 3, 3 * sizeof(float), 0);
+        m_restPositions = rest;
+    }
 }
 
 void SheetBuffers::uploadTopology(Gl& gl) {

@@ -7,6 +7,7 @@
 #include "app/render/sheet_mesh.h"
 #include "app/render/springs.h"
 
+#include <memory>
 #include <span>
 
 namespace clothlab::render {
@@ -53,9 +54,10 @@ public:
     void initialize(Gl& gl);
     void destroy(Gl& gl);
 
-    // Uploads what has changed since the last call, and nothing else.
-    void update(Gl& gl, const SheetShape& sheet);
+    // Uploads what has changed since the last call, and nothing else. Says whether the mesh is another one.
+    SheetMesh::Change update(Gl& gl, const SheetShape& sheet);
 
+    const SheetMesh& mesh() const { return m_mesh; }
     void drawSurface(Gl& gl);
     void drawSprings(Gl& gl, SpringType type);
     void drawPinned(Gl& gl); // as GL_POINTS
@@ -65,6 +67,8 @@ public:
 private:
     void uploadTopology(Gl& gl);
     void uploadPinned(Gl& gl, const SheetShape& sheet);
+    void uploadStrains(Gl& gl, const SheetShape& sheet);
+    void uploadRest(Gl& gl, const SheetShape& sheet);
     void drawElements(Gl& gl, GLenum mode, GpuBuffer& indices);
 
     SheetMesh m_mesh;
@@ -74,6 +78,10 @@ private:
     GpuBuffer m_triangles;
     std::array<GpuBuffer, kSpringTypes> m_springs;
     std::array<bool, kSpringTypes> m_springsUploaded{}; // made when first drawn: long lists for large sheets
+    GpuBuffer m_strains;
+    bool m_hasStrains = false;
+    GpuBuffer m_rest;
+    std::shared_ptr<const std::vector<float>> m_restPositions; // what was uploaded
     GpuBuffer m_pinned;
     std::vector<std::uint32_t> m_pinnedIndices; // those in range
 };

@@ -1,6 +1,8 @@
 // Everything one picture is made of, as plain values. The viewport fills it; the renderer draws it.
 #pragma once
 
+#include "app/render/uniform_spec.h"
+
 #include <QColor>
 #include <QMatrix4x4>
 #include <QString>
@@ -9,6 +11,9 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
 #include <vector>
 
 namespace clothlab::render {
@@ -18,7 +23,12 @@ struct SheetShape {
     int width = 0;                     // points a row
     int height = 0;                    // rows
     std::vector<float> positions;      // 3 * width * height, metres; empty draws no sheet
+    std::vector<float> strains;        // one a point, for the attribute in_strain; empty: 0 everywhere
     std::vector<std::uint32_t> pinned; // indices of pinned points, drawn as dots
+
+    // Positions at which every spring has its rest length, as `positions`; null or of another size: springs
+    // have no strain. Never changed once it is here.
+    std::shared_ptr<const std::vector<float>> restPositions;
 };
 
 struct SphereShape {
@@ -37,31 +47,56 @@ struct Highlight {
     std::vector<std::array<QVector3D, 2>> segments; // drawn as thick lines
 };
 
+struct Light {
+    QVector3D position{0.5F, 2, 2};
+    QVector3D intensity{3, 3, 3}; // at a distance of 1 m
+    bool shadows = true;
+};
+
+inline constexpr std::size_t kTextureCount = 4; // u_texture_1 … u_texture_4
+
+// What the shader of the surfaces is given beside the scene.
+struct SurfaceLook {
+    QString shader = QStringLiteral("Phong"); // "Wireframe" draws springs as lines instead
+    QVector4D color{1, 1, 1, 1};
+    std::optional<QVector4D> backColor; // of the sheet's other side; none: the same
+    bool twoSided = true;
+    int meshResolution = 0; // cells of the drawn sheet and spheres along a side; 0: the sheet as it is
+    float normalScaling = 2;
+    float heightScaling = 0.1F;
+    std::array<QString, kTextureCount> textures;  // files; empty: those of the texture directory
+    QString cubemap;                              // a folder; empty: that of the texture directory
+    std::map<QString, UniformSetting> uniforms{}; // what differs from the shader's own defaults
+};
+
+// Springs are drawn when the shader is Wireframe, or over the surface.
+struct SpringsLook {
+    std::array<bool, 3> drawn{true, true, true}; // structural, shearing, bending
+    std::array<QColor, 3> colors{QColor(0x3D, 0x9B, 0xE0), QColor(0xF2, 0xB8, 0x3C),
+                                 QColor(0x2B, 0xC4, 0x96)};
+    bool overSurface = false;
+    bool coloredByStrain = false;
+};
+
 struct RenderFrame {
     QMatrix4x4 viewProjection;
     QVector3D cameraPosition;
+    float time = 0; // simulated seconds, for u_time
 
-    // Name of the shader of the sheet and the colliders; "Wireframe" draws springs as lines instead.
-    QString shader = QStringLiteral("Phong");
-    QVector4D color{1, 1, 1, 1};
-    QVector3D lightPosition{0.5F, 2, 2};
-    QVector3D lightIntensity{3, 3, 3};
+    SurfaceLook surface;
+    SpringsLook springs;
+    Light light;
+    float strainRange = 0.1F; // at the ends of the colours of strain, > 0
 
     QColor background{0x26, 0x28, 0x2B};
     bool groundGrid = true;
     bool axes = true;
     float gridOpacity = 0.25F;
+    int samples = 1; // a pixel, as far as the machine offers them; 1 leaves it to the framebuffer
 
     SheetShape sheet;
     std::vector<SphereShape> spheres;
     std::vector<PlaneShape> planes;
-
-    // Springs drawn by type (structural, shearing, bending), and their colours. Drawn when the shader is
-    // Wireframe, or over the surface when springsOverSurface is set.
-    std::array<bool, 3> springsDrawn{true, true, true};
-    std::array<QColor, 3> springColors{QColor(0x3D, 0x9B, 0xE0), QColor(0xF2, 0xB8, 0x3C),
-                                       QColor(0x2B, 0xC4, 0x96)};
-    bool springsOverSurface = false;
 
     Highlight highlight;
     QColor highlightColor{0xFF, 0xD2, 0x3F};

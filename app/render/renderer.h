@@ -1,19 +1,15 @@
 // Draws a RenderFrame with OpenGL 3.3 core.
 #pragma once
 
+#include "app/render/problem.h"
 #include "app/render/render_frame.h"
 
 #include <QSize>
 #include <QString>
-#include <QStringList>
 
 #include <memory>
 
 namespace clothlab::render {
-
-// Names of the surface shaders in `directory` (NAME.frag, not in subfolders), sorted, with Wireframe first if
-// there is one. Empty if there is no such directory.
-QStringList listShaders(const QString& directory);
 
 // All GL objects belong to the context that was current in initialize(). The destructor frees none of them,
 // because it may run without a context: call release() before, or let the context's end free them.
@@ -36,19 +32,30 @@ public:
     // Where surface shaders are read from, at the next render(). No context needed.
     void setShaderDirectory(const QString& directory);
 
-    // Reads the shader files again at the next render(): they were edited. No context needed.
-    void reloadShaders();
+    // Where texture_1.png to texture_4.png and the folder cubemap are, and files that are not named with a
+    // whole path. No context needed.
+    void setTextureDirectory(const QString& directory);
+
+    // Reads shaders and textures again at the next render(): they were edited. No context needed.
+    void reloadFiles();
 
     // Draws the whole picture, background included, into the framebuffer that is bound, which must have a
     // depth buffer; `pixels` is its size. Does nothing for an empty size. Alpha is 1 everywhere. What a frame
     // can't be drawn of (a sheet whose positions don't fit its size, spheres without a radius, pinned indices
-    // out of range) is left out. Afterwards program, vertex array and buffers are unbound; depth test and
-    // blending are off.
+    // out of range) is left out. Afterwards program, vertex array and buffers are unbound; blending is off.
     void render(const RenderFrame& frame, QSize pixels);
 
-    // What is wrong with the shaders in use, as `file:line: reason` where the driver names a line; empty if
-    // nothing is. A broken shader is drawn with what was good before it. Changes only in render().
-    const QStringList& messages() const;
+    // What is wrong with the files in use; empty if nothing is. A broken shader is drawn with what was good
+    // before it, a broken texture as a checker. Changes only in render().
+    const Problems& problems() const;
+
+    // The surface shader that was last drawn, which is another one than asked for while that is broken; empty
+    // before the first. And what the user may set of it, in the order of the file.
+    const QString& shaderInUse() const;
+    std::vector<UniformSpec> uniforms() const;
+
+    // Whether the last render() read a surface shader, so that uniforms() may be others.
+    bool shaderWasBuilt() const;
 
 private:
     class Passes;

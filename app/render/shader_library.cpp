@@ -1,7 +1,5 @@
 #include "app/render/shader_library.h"
 
-#include "app/render/renderer.h"
-
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -13,30 +11,22 @@ namespace {
 
 const QString kWireframe = QStringLiteral("Wireframe");
 const QString kBuiltIn = QStringLiteral(":/clothlab/shaders/");
+const QString kInternal = kBuiltIn + QStringLiteral("internal/");
 
-std::optional<ShaderStage> readStage(GLenum type, const QString& path, QStringList& messages) {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) {
-        messages.append(
-            QStringLiteral("%1: cannot be read: %2").arg(QFileInfo(path).fileName(), file.errorString()));
-        return std::nullopt;
-    }
-    QByteArray source = file.readAll();
-    if (source.startsWith("\xEF\xBB\xBF"))
-        source.remove(0, 3); // some editors write a byte order mark, and GLSL wants #version first
-    return ShaderStage{type, QFileInfo(path).fileName(), source};
-}
+struct StageFile {
+    GLenum type;
+    QString path;
+};
 
-bool build(Gl& gl, ShaderProgram& program, const std::vector<std::pair<GLenum, QString>>& files,
-           QStringList& messages) {
+bool build(Gl& gl, ShaderProgram& program, std::initializer_list<StageFile> files, Problems& problems) {
     std::vector<ShaderStage> stages;
-    for (const auto& [type, path] : files) {
-        std::optional<ShaderStage> stage = readStage(type, path, messages);
-        if (!stage)
+    for (const StageFile& file : files) {
+        std::optional<ShaderSource> source = readShaderSource(file.path, kBuiltIn, problems);
+        if (!source)
             return false;
-        stages.push_back(std::move(*stage));
+        stages.push_back({file.type, std::move(*source)});
     }
-    return program.build(gl, stages, messages);
+    return program.build(gl, stages, problems);
 }
 
 QString vertexShaderFor(const QDir& directory, const QString& name) {
@@ -74,49 +64,58 @@ void ShaderLibrary::reload() {
 }
 
 bool ShaderLibrary::initialize(Gl& gl, QString* error) {
-    const QString internal = kBuiltIn + QStringLiteral("internal/");
-    const auto file = [&internal](const char* name) { return internal + QString::fromLatin1(name); };
-    const std::pair<GLenum, QString> lineVertices{GL_VERTEX_SHADER, file("line.vert")};
-    const std::pair<GLenum, QString> lineQuads{GL_GEOMETRY_SHADER, file("line.geom")};
-
     // Programs of an earlier context that was lost have nothing to free.
     QString directory = m_directory;
     *this = ShaderLibrary();
     m_directory = std::move(directory);
 
-    QStringList messages;
-    const bool good =
-        build(gl, m_plainSurface,
-              {{GL_VERTEX_SHADER, kBuiltIn + QStringLiteral("Default.vert")},
-               {GL_FRAGMENT_SHADER, file("surface.frag")}},
-              messages) &&
-        build(gl, m_lines, {lineVertices, lineQuads, {GL_FRAGMENT_SHADER, file("line.frag")}}, messages) &&
-        build(gl, m_dots, {{GL_VERTEX_SHADER, file("dot.vert")}, {GL_FRAGMENT_SHADER, file("dot.frag")}},
-              messages) &&
-        build(gl, m_ground,
-              {{GL_VERTEX_SHADER, file("ground.vert")}, {GL_FRAGMENT_SHADER, file("ground.frag")}}, messages);
-    if (!good && error)
-        *error = messages.join(u'\n');
+    Problems problems;
+    const bool good = buildInternal(gl, problems);
+    if (!good && error && !problems.isEmpty())
+        *error = words(problems.constFirst());
     if (!good)
         destroy(gl);
     return good;
 }
 
+bool ShaderLibrary::buildInternal(Gl& gl, Problems& problems) {
+    const auto pair = [&](ShaderProgram& program, const QString& vertices, const char* fragments) {
+        return build(
+            gl, program,
+            {{GL_VERTEX_SHADER, vertices}, {GL_FRAGMENT_SHADER, kInternal + QLatin1String(fragments)}},
+            problems);
+    };
+    const auto internal = [](const char* name) { return kInternal + QLatin1String(name); };
+    return pair(m_plainSurface, kBuiltIn + QStringLiteral("Default.vert"), "surface.frag") &&
+           pair(m_dots, internal("dot.vert"), "dot.frag") &&
+           pair(m_ground, internal("ground.vert"), "ground.frag") &&
+           pair(m_shadow, internal("shadow.vert"), "shadow.frag") &&
+           build(gl, m_lines,
+                 {{GL_VERTEX_SHADER, internal("line.vert")},
+                  {GL_GEOMETRY_SHADER, internal("line.geom")},
+                  {GL_FRAGMENT_SHADER, internal("line.frag")}},
+                 problems);
+}
+
 void ShaderLibrary::destroy(Gl& gl) {
-    for (ShaderProgram* program : {&m_surface, &m_springs, &m_plainSurface, &m_lines, &m_dots, &m_ground})
+    for (ShaderProgram* program :
+         {&m_surface, &m_springs, &m_plainSurface, &m_lines, &m_dots, &m_ground, &m_shadow})
         program->destroy(gl);
 }
 
 const ShaderProgram& ShaderLibrary::surface(Gl& gl, const QString& name) {
     if (name != m_surfaceName) {
         m_surfaceName = name;
-        m_surfaceMessages.clear();
+        m_surfaceProblems.clear();
         const QDir directory(m_directory);
-        build(gl, m_surface,
-              {{GL_VERTEX_SHADER, vertexShaderFor(directory, name)},
-               {GL_FRAGMENT_SHADER, directory.filePath(name + QStringLiteral(".frag"))}},
-              m_surfaceMessages);
-        gatherMessages();
+        if (build(gl, m_surface,
+                  {{GL_VERTEX_SHADER, vertexShaderFor(directory, name)},
+                   {GL_FRAGMENT_SHADER, directory.filePath(name + QStringLiteral(".frag"))}},
+                  m_surfaceProblems)) {
+            m_goodSurfaceName = name;
+            m_surfaceWasBuilt = true;
+        }
+        gatherProblems();
     }
     return m_surface.isValid() ? m_surface : m_plainSurface;
 }
@@ -124,23 +123,29 @@ const ShaderProgram& ShaderLibrary::surface(Gl& gl, const QString& name) {
 const ShaderProgram& ShaderLibrary::springs(Gl& gl) {
     if (!m_springsTried) {
         m_springsTried = true;
-        m_springsMessages.clear();
-        const QString internal = kBuiltIn + QStringLiteral("internal/");
+        m_springsProblems.clear();
         const QString fragments = QDir(m_directory).filePath(kWireframe + QStringLiteral(".frag"));
         // A directory without one is none the worse for it.
         if (QFile::exists(fragments))
             build(gl, m_springs,
-                  {{GL_VERTEX_SHADER, internal + QStringLiteral("line.vert")},
-                   {GL_GEOMETRY_SHADER, internal + QStringLiteral("line.geom")},
+                  {{GL_VERTEX_SHADER, kInternal + QStringLiteral("line.vert")},
+                   {GL_GEOMETRY_SHADER, kInternal + QStringLiteral("line.geom")},
                    {GL_FRAGMENT_SHADER, fragments}},
-                  m_springsMessages);
-        gatherMessages();
+                  m_springsProblems);
+        gatherProblems();
     }
     return m_springs.isValid() ? m_springs : m_lines;
 }
 
-void ShaderLibrary::gatherMessages() {
-    m_messages = m_surfaceMessages + m_springsMessages;
+std::vector<UniformSpec> ShaderLibrary::surfaceUniforms() const {
+    std::vector<UniformSpec> specs;
+    for (const UserUniform& uniform : m_surface.userUniforms())
+        specs.push_back(uniform.spec);
+    return specs;
+}
+
+void ShaderLibrary::gatherProblems() {
+    m_problems = m_surfaceProblems + m_springsProblems;
 }
 
 } // namespace clothlab::render

@@ -1,17 +1,25 @@
 // Finds shader files, and keeps the programs made of them.
 #pragma once
 
+#include "app/render/problem.h"
 #include "app/render/shader_program.h"
 
 #include <QString>
 #include <QStringList>
 
+#include <utility>
+#include <vector>
+
 namespace clothlab::render {
+
+// Names of the surface shaders in `directory` (NAME.frag, not in subfolders), sorted, with Wireframe first if
+// there is one. Empty if there is no such directory.
+QStringList listShaders(const QString& directory);
 
 // NAME.frag is linked with NAME.vert of the same directory if there is one, else with Default.vert there,
 // else with the Default.vert that is part of the program. Wireframe.frag is linked with the internal line
 // shaders, which provide the same varyings. A shader that can't be read, compiled or linked says so in
-// messages(), and what was last good stays: for surfaces the shader drawn before, else a plain internal one.
+// problems(), and what was last good stays: for surfaces the shader drawn before, else a plain internal one.
 class ShaderLibrary {
 public:
     void setDirectory(const QString& directory);
@@ -30,29 +38,38 @@ public:
     const ShaderProgram& lines() const { return m_lines; }
     const ShaderProgram& dots() const { return m_dots; }
     const ShaderProgram& ground() const { return m_ground; }
+    const ShaderProgram& shadow() const { return m_shadow; }
 
     // What is wrong with the shaders in use; empty if nothing is.
-    const QStringList& messages() const { return m_messages; }
+    const Problems& problems() const { return m_problems; }
+
+    // The surface shader whose program surface() last returned; empty for the plain one.
+    const QString& surfaceInUse() const { return m_goodSurfaceName; }
+    std::vector<UniformSpec> surfaceUniforms() const;
+    bool takeSurfaceWasBuilt() { return std::exchange(m_surfaceWasBuilt, false); } // since it was last asked
 
 private:
-    void gatherMessages();
+    bool buildInternal(Gl& gl, Problems& problems);
+    void gatherProblems();
 
     QString m_directory;
 
-    // The name that was last tried, and the last program that came out well.
-    QString m_surfaceName;
+    QString m_surfaceName;     // that was last tried
+    QString m_goodSurfaceName; // that came out well: of m_surface
     ShaderProgram m_surface;
-    QStringList m_surfaceMessages;
+    bool m_surfaceWasBuilt = false;
+    Problems m_surfaceProblems;
 
     bool m_springsTried = false;
     ShaderProgram m_springs;
-    QStringList m_springsMessages;
+    Problems m_springsProblems;
 
     ShaderProgram m_plainSurface;
     ShaderProgram m_lines;
     ShaderProgram m_dots;
     ShaderProgram m_ground;
-    QStringList m_messages;
+    ShaderProgram m_shadow;
+    Problems m_problems;
 };
 
 } // namespace clothlab::render

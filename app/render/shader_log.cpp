@@ -5,30 +5,34 @@
 namespace clothlab::render {
 namespace {
 
-QString readableLine(const QString& file, const QString& line) {
+Problem readLine(const QStringList& files, const QString& line) {
     static const QRegularExpression mesaOrNvidia(
-        QStringLiteral(R"(^\d+(?::(\d+)(?:\(\d+\))?|\((\d+)\))\s*:\s*(.*)$)"));
-    static const QRegularExpression leadingWord(QStringLiteral(R"(^(ERROR|WARNING):\s*\d+:(\d+):\s*(.*)$)"));
+        QStringLiteral(R"(^(\d+)(?::(\d+)(?:\(\d+\))?|\((\d+)\))\s*:\s*(.*)$)"));
+    static const QRegularExpression leadingWord(
+        QStringLiteral(R"(^(ERROR|WARNING):\s*(\d+):(\d+):\s*(.*)$)"));
+    const auto fileOf = [&](const QString& number) {
+        return files.value(number.toInt(), files.constFirst());
+    };
 
     if (const auto match = mesaOrNvidia.match(line); match.hasMatch()) {
-        const QString number = match.captured(1).isEmpty() ? match.captured(2) : match.captured(1);
-        return QStringLiteral("%1:%2: %3").arg(file, number, match.captured(3));
+        const QString number = match.captured(2).isEmpty() ? match.captured(3) : match.captured(2);
+        return {fileOf(match.captured(1)), number.toInt(), match.captured(4)};
     }
     if (const auto match = leadingWord.match(line); match.hasMatch())
-        return QStringLiteral("%1:%2: %3: %4")
-            .arg(file, match.captured(2), match.captured(1).toLower(), match.captured(3));
-    return QStringLiteral("%1: %2").arg(file, line);
+        return {fileOf(match.captured(2)), match.captured(3).toInt(),
+                QStringLiteral("%1: %2").arg(match.captured(1).toLower(), match.captured(4))};
+    return {files.constFirst(), 0, line};
 }
 
 } // namespace
 
-QStringList readableShaderLog(const QString& file, const QString& log) {
-    QStringList readable;
+Problems readShaderLog(const QStringList& files, const QString& log) {
+    Problems problems;
     const QStringList lines = log.split(u'\n', Qt::SkipEmptyParts);
     for (const QString& line : lines)
         if (const QString trimmed = line.trimmed(); !trimmed.isEmpty())
-            readable.append(readableLine(file, trimmed));
-    return readable;
+            problems.append(readLine(files, trimmed));
+    return problems;
 }
 
 } // namespace clothlab::render

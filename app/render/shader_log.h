@@ -1,13 +1,16 @@
 // Drivers' compiler logs, in one form for people.
 #pragma once
 
+#include "app/render/problem.h"
+
 #include <QString>
 #include <QStringList>
 
 namespace clothlab::render {
 
-// One entry a non-empty line of `log`, each beginning with `file:line: ` where the driver names a line (Mesa,
-// NVIDIA, and the `ERROR: 0:12:` form of AMD, Intel and Apple are understood), else with `file: `.
-QStringList readableShaderLog(const QString& file, const QString& log);
+// One problem a non-empty line of `log`, with file and line where the driver names them (Mesa, NVIDIA, and
+// the `ERROR: 0:12:` form of AMD, Intel and Apple are understood), else with the first file. The number
+// before the line counts the files; one that is not there stands for the first. files is not empty.
+Problems readShaderLog(const QStringList& files, const QString& log);
 
 } // namespace clothlab::render

@@ -20,8 +20,14 @@ GlCanvas::~GlCanvas() {
     releaseGl();
 }
 
-void GlCanvas::setShaderDirectory(const QString& directory) {
-    m_renderer.setShaderDirectory(directory);
+void GlCanvas::setDirectories(const QString& shaders, const QString& textures) {
+    m_renderer.setShaderDirectory(shaders);
+    m_renderer.setTextureDirectory(textures);
+    update();
+}
+
+void GlCanvas::reloadFiles() {
+    m_renderer.reloadFiles();
     update();
 }
 
@@ -60,10 +66,22 @@ void GlCanvas::releaseGl() {
 
 void GlCanvas::paintGL() {
     m_renderer.render(m_frame(), size() * devicePixelRatio());
-    if (m_renderer.messages() == m_messages)
+    tellWhatIsNew();
+}
+
+void GlCanvas::tellWhatIsNew() {
+    if (m_renderer.problems() != m_problems) {
+        m_problems = m_renderer.problems();
+        emit problemsChanged(m_problems);
+    }
+    if (m_renderer.shaderInUse() == m_shader && !m_renderer.shaderWasBuilt())
         return;
-    m_messages = m_renderer.messages();
-    emit messagesChanged(m_messages);
+    std::vector<render::UniformSpec> uniforms = m_renderer.uniforms();
+    if (m_renderer.shaderInUse() == m_shader && uniforms == m_uniforms)
+        return;
+    m_shader = m_renderer.shaderInUse();
+    m_uniforms = std::move(uniforms);
+    emit shaderShown(m_shader, m_uniforms);
 }
 
 } // namespace clothlab

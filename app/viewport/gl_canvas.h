@@ -17,14 +17,16 @@ public:
     explicit GlCanvas(std::function<const render::RenderFrame&()> frame, QWidget* parent = nullptr);
     ~GlCanvas() override;
 
-    void setShaderDirectory(const QString& directory);
+    void setDirectories(const QString& shaders, const QString& textures);
+    void reloadFiles();
 
     // Why this platform can show no OpenGL picture, in words; empty if it can. Makes no widget.
     static QString whyUnavailable();
 
 signals:
-    void messagesChanged(const QStringList& messages); // of the shaders in use
-    void failed(const QString& reason);                // nothing can be drawn
+    void problemsChanged(const clothlab::render::Problems& problems); // of the files in use
+    void shaderShown(const QString& shader, const std::vector<clothlab::render::UniformSpec>& uniforms);
+    void failed(const QString& reason); // nothing can be drawn
 
 protected:
     void initializeGL() override;
@@ -32,10 +34,13 @@ protected:
 
 private:
     void releaseGl();
+    void tellWhatIsNew();
 
     std::function<const render::RenderFrame&()> m_frame;
     render::Renderer m_renderer;
-    QStringList m_messages;
+    render::Problems m_problems;
+    QString m_shader;
+    std::vector<render::UniformSpec> m_uniforms;
     QMetaObject::Connection m_contextConnection;
 };
 

@@ -23,14 +23,18 @@ Viewport::Viewport(Document& document, Simulation& simulation, QWidget* parent)
         showPlaceholder(reason);
     } else {
         m_canvas = new GlCanvas([this]() -> const render::RenderFrame& { return renderFrame(); }, this);
-        connect(m_canvas, &GlCanvas::messagesChanged, this, &Viewport::shaderMessages);
+        connect(m_canvas, &GlCanvas::problemsChanged, this, [this](const render::Problems& problems) {
+            m_problems = problems;
+            emit problemsChanged();
+        });
+        connect(m_canvas, &GlCanvas::shaderShown, this, &Viewport::shaderShown);
         connect(m_canvas, &GlCanvas::failed, this, &Viewport::showPlaceholder);
     }
     m_overlay->raise();
     updateHint();
 
     connect(&document, &Document::sceneReplaced, this, &Viewport::goHome);
-    connect(&document, &Document::sceneChanged, this, &Viewport::refreshSheet);
+    connect(&document, &Document::sceneChanged, this, &Viewport::refreshScene);
     connect(&document, &Document::selectionChanged, this, &Viewport::refresh);
     connect(&simulation, &Simulation::frameShown, this, &Viewport::refreshSheet);
     connect(&simulation, &Simulation::recordingChanged, this, &Viewport::updateBadges);
@@ -43,9 +47,14 @@ void Viewport::showPlaceholder(const QString& reason) {
                               tr("There is no picture: %1. Everything else works.").arg(reason));
 }
 
-void Viewport::setShaderDirectory(const QString& directory) {
+void Viewport::setDirectories(const QString& shaders, const QString& textures) {
     if (m_canvas)
-        m_canvas->setShaderDirectory(directory);
+        m_canvas->setDirectories(shaders, textures);
+}
+
+void Viewport::reloadFiles() {
+    if (m_canvas)
+        m_canvas->reloadFiles();
 }
 
 void Viewport::setCamera(const Camera& camera) {
@@ -64,6 +73,11 @@ void Viewport::refreshSheet() {
     m_positionsAreCurrent = false;
     refresh();
     updateBadges();
+}
+
+void Viewport::refreshScene() {
+    m_lookIsCurrent = false;
+    refreshSheet();
 }
 
 void Viewport::updateBadges() {
@@ -87,7 +101,7 @@ void Viewport::updateHint() {
 void Viewport::goHome() {
     m_camera.view = m_document.scene().camera.value_or(homeView(m_document.scene().cloth));
     m_camera.orthographic = false;
-    refreshSheet();
+    refreshScene();
     emit cameraChanged();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/document/document.h"
+#include "app/render/problem.h"
 #include "app/render/render_frame.h"
 #include "app/simulation/simulation.h"
 #include "app/viewport/camera.h"
@@ -19,7 +20,8 @@ class Viewport : public QWidget {
 public:
     Viewport(Document& document, Simulation& simulation, QWidget* parent = nullptr);
 
-    void setShaderDirectory(const QString& directory);
+    void setDirectories(const QString& shaders, const QString& textures);
+    void reloadFiles(); // shaders and textures: they were edited
     bool hasPicture() const { return m_canvas != nullptr; }
     const Overlay& overlay() const { return *m_overlay; }
 
@@ -31,6 +33,7 @@ public:
     QPointF positionOf(int point) const;
 
     const render::RenderFrame& renderFrame(); // of what is shown now
+    const render::Problems& problems() const { return m_problems; }
 
 public slots:
     void goHome();
@@ -42,7 +45,9 @@ public slots:
 
 signals:
     void cameraChanged();
-    void shaderMessages(const QStringList& messages);
+    void problemsChanged(); // problems()
+    // The shader that is drawn, and what can be set of it.
+    void shaderShown(const QString& shader, const std::vector<clothlab::render::UniformSpec>& uniforms);
     void tabPressed();
 
 protected:
@@ -60,6 +65,7 @@ private:
     void showPlaceholder(const QString& reason);
     void refresh();      // paint again
     void refreshSheet(); // as above, with new positions
+    void refreshScene(); // as above, with a new look
     void updateBadges();
     void updateHint();
     void buildFrame();
@@ -77,7 +83,9 @@ private:
 
     render::RenderFrame m_frame;
     bool m_frameIsCurrent = false;
+    bool m_lookIsCurrent = false;
     bool m_positionsAreCurrent = false;
+    render::Problems m_problems;
 
     Drag m_drag = Drag::None;
     bool m_boxArmed = false;

@@ -2,6 +2,8 @@
 
 // Makes a line of some pixels' width of each GL line, because core profiles draw none wider than one pixel.
 
+#include "strain.glsl"
+
 layout(lines) in;
 layout(triangle_strip, max_vertices = 4) out;
 
@@ -11,19 +13,29 @@ uniform float u_pixel_size; // world length of a pixel where clip-space w is 1
 uniform vec2 u_depth_slope; // how clip-space z and w grow along the view direction, a metre
 uniform float u_depth_bias; // drawn nearer to the viewer by so many pixels' size
 uniform float u_width;      // pixels
+uniform vec4 u_color;
+uniform bool u_by_strain;
 uniform float u_max_fill;   // greatest width as a part of the line's own length; 0: no limit
 
 in vec4 g_normal[];
 in vec4 g_tangent[];
 in vec2 g_uv[];
+in vec3 g_rest[];
 
 out vec4 v_position;
 out vec4 v_normal;
 out vec4 v_tangent;
 out vec2 v_uv;
+out vec4 v_color;
 noperspective out vec3 v_line; // pixels from the middle, half the width in pixels, opacity
 
 const float k_fringe = 1.0; // pixels beyond the edge, where it is smoothed
+
+// (length - rest length) / rest length; 0 if the rest length is 0.
+float strain() {
+    float rest = distance(g_rest[0], g_rest[1]);
+    return rest > 0.0 ? distance(gl_in[0].gl_Position.xyz, gl_in[1].gl_Position.xyz) / rest - 1.0 : 0.0;
+}
 
 // Moves nearer without moving on the screen.
 vec4 nearer(vec4 clip) {
@@ -37,6 +49,7 @@ void emit(int from, int to, float part, vec4 clip, vec2 across, vec3 line) {
     v_tangent = mix(g_tangent[from], g_tangent[to], part);
     v_uv = mix(g_uv[from], g_uv[to], part);
     v_line = line;
+    v_color = u_by_strain ? vec4(strain_color(strain()), u_color.a) : u_color;
     vec2 shift = across * line.x * 2.0 / u_viewport * clip.w;
     gl_Position = nearer(clip + vec4(shift, 0.0, 0.0));
     EmitVertex();

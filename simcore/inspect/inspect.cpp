@@ -47,6 +47,24 @@ std::array<double, kSpringTypes> maxStrain(const Sheet& sheet, const PointArray&
     return greatest;
 }
 
+double pointStrains(const Cloth& cloth, const Sheet& sheet, const PointArray& position,
+                    std::vector<float>& strains) {
+    strains.assign(position.size(), 0);
+    double greatest = 0;
+    forEachSpring(sheet.grid, [&](const Spring& spring) {
+        if (!cloth.enabled(spring.type()))
+            return;
+        const double strain = measureSpring(cloth, sheet, position, spring).strain;
+        greatest = std::max(greatest, std::abs(strain));
+        for (const int point : {spring.a, spring.b}) {
+            float& most = strains[std::size_t(point)];
+            if (std::abs(strain) > std::abs(double(most)))
+                most = float(strain);
+        }
+    });
+    return greatest;
+}
+
 double kineticEnergy(const Scene& scene, const ClothState& state) {
     double sum = 0;
     for (int i = 0; i < int(state.size()); ++i)

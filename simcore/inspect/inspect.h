@@ -4,6 +4,7 @@
 #include "simcore/cloth/cloth_state.h"
 
 #include <array>
+#include <vector>
 
 namespace clothlab {
 
@@ -21,6 +22,12 @@ SpringMeasure measureSpring(const Cloth& cloth, const Sheet& sheet, const PointA
 
 // The greatest strain of the springs of each type, switched on or not; 0 if there are none.
 std::array<double, kSpringTypes> maxStrain(const Sheet& sheet, const PointArray& position);
+
+// At each point the strain of the spring there that is strained most, stretched or compressed, among the
+// types that are switched on; 0 if there is none. Returns the greatest magnitude. Replaces `strains`, one a
+// point.
+double pointStrains(const Cloth& cloth, const Sheet& sheet, const PointArray& position,
+                    std::vector<float>& strains);
 
 double kineticEnergy(const Scene& scene, const ClothState& state); // J
 // Of springs that are switched on, and of gravity with its zero at the origin. J.

@@ -1,0 +1,143 @@
+#include "app/viewport/scene_frame.h"
+
+#include "app/widgets/theme.h"
+#include "simcore/inspect/inspect.h"
+
+#include <QDir>
+
+#include <algorithm>
+#include <cmath>
+
+namespace clothlab {
+namespace {
+
+constexpr const char* kStrainShader = "Strain";
+
+QVector3D toQt(const Vec3& v) {
+    return {float(v.x()), float(v.y()), float(v.z())};
+}
+
+QVector3D toQt(const std::array<double, 3>& v) {
+    return {float(v[0]), float(v[1]), float(v[2])};
+}
+
+QString pathOf(const std::string& name, const QString& folder) {
+    const QString file = QString::fromStdString(name);
+    return file.isEmpty() || QDir::isAbsolutePath(file) || folder.isEmpty() ? file
+                                                                            : QDir(folder).filePath(file);
+}
+
+void fillSurface(const Scene& scene, const QString& folder, render::SurfaceLook& surface) {
+    const Appearance& appearance = scene.appearance;
+    surface.shader = QString::fromStdString(appearance.shader);
+    surface.color = QVector4D(toQt(appearance.color), 1);
+    surface.backColor.reset();
+    if (appearance.backColor)
+        surface.backColor = QVector4D(toQt(*appearance.backColor), 1);
+    surface.twoSided = appearance.twoSided;
+    surface.meshResolution = appearance.meshResolution;
+    surface.normalScaling = float(appearance.normalScaling);
+    surface.heightScaling = float(appearance.heightScaling);
+    for (std::size_t i = 0; i < appearance.textures.size(); ++i)
+        surface.textures[i] = pathOf(appearance.textures[i], folder);
+    surface.cubemap = pathOf(appearance.cubemap, folder);
+    surface.uniforms.clear();
+    if (const auto values = appearance.uniforms.find(appearance.shader); values != appearance.uniforms.end())
+        for (const auto& [name, value] : values->second)
+            surface.uniforms.emplace(QString::fromStdString(name), toSetting(value, folder));
+}
+
+void fillPositions(const PointArray& from, std::vector<float>& to) {
+    to.resize(3 * from.size());
+    for (std::size_t i = 0; i < from.size(); ++i) {
+        to[3 * i] = float(from.x[i]);
+        to[3 * i + 1] = float(from.y[i]);
+        to[3 * i + 2] = float(from.z[i]);
+    }
+}
+
+// The same object as before where the places are the same, so that nothing is uploaded again.
+void fillRest(const PointArray& start, std::shared_ptr<const std::vector<float>>& rest) {
+    std::vector<float> positions;
+    fillPositions(start, positions);
+    if (!rest || *rest != positions)
+        rest = std::make_shared<const std::vector<float>>(std::move(positions));
+}
+
+void fillStrains(const Scene& scene, const Sheet& sheet, const PointArray& position,
+                 render::RenderFrame& frame) {
+    const double greatest = pointStrains(scene.cloth, sheet, position, frame.sheet.strains);
+    fillRest(sheet.start, frame.sheet.restPositions);
+    constexpr double least = 1e-6; // a sheet at rest has no strain to scale by
+    if (scene.appearance.strainRange == 0)
+        frame.strainRange = float(std::max(greatest, least));
+}
+
+} // namespace
+
+render::UniformSetting toSetting(const UniformValue& value, const QString& folder) {
+    render::UniformSetting setting;
+    if (const auto* file = std::get_if<std::string>(&value)) {
+        setting.file = pathOf(*file, folder);
+    } else if (const auto* list = std::get_if<std::vector<double>>(&value)) {
+        setting.components = int(std::min(list->size(), setting.numbers.size()));
+        for (std::size_t i = 0; i < std::size_t(setting.components); ++i)
+            setting.numbers[i] = float((*list)[i]);
+    } else {
+        setting.components = 1;
+        const auto* flag = std::get_if<bool>(&value);
+        setting.numbers[0] = flag ? float(*flag) : float(std::get<double>(value));
+    }
+    return setting;
+}
+
+bool showsStrain(const Appearance& appearance) {
+    const bool springs = appearance.shader == "Wireframe" || appearance.springsOverSurface;
+    return appearance.shader == kStrainShader ||
+           (springs && appearance.springColoring == SpringColoring::ByStrain);
+}
+
+void fillLook(const Scene& scene, const QString& folder, render::RenderFrame& frame) {
+    const Appearance& appearance = scene.appearance;
+    fillSurface(scene, folder, frame.surface);
+    // The view is dark in both themes, so that the cloth is the brightest thing on the screen.
+    const ThemeColors& colors = themeColors(Theme::Dark);
+    frame.springs.drawn = appearance.springsDrawn;
+    frame.springs.colors = {colors.structural, colors.shearing, colors.bending};
+    frame.springs.overSurface = appearance.springsOverSurface;
+    frame.springs.coloredByStrain = appearance.springColoring == SpringColoring::ByStrain;
+    if (appearance.strainRange > 0)
+        frame.strainRange = float(appearance.strainRange);
+    frame.light = {toQt(appearance.lightPosition), toQt(appearance.lightIntensity), appearance.shadows};
+    frame.background = colors.window;
+    if (const auto& rgb = appearance.background)
+        frame.background = QColor::fromRgbF(float((*rgb)[0]), float((*rgb)[1]), float((*rgb)[2]));
+    frame.groundGrid = appearance.groundGrid;
+    frame.axes = appearance.axes;
+    frame.samples = appearance.samples;
+    frame.highlightColor = colors.selected;
+    frame.pinnedColor = colors.pinned;
+    frame.spheres.clear();
+    for (const Sphere& sphere : scene.spheres)
+        frame.spheres.push_back({toQt(sphere.origin), float(sphere.radius)});
+    frame.planes.clear();
+    for (const Plane& plane : scene.planes)
+        frame.planes.push_back({toQt(plane.point), toQt(plane.normal.stableNormalized())});
+}
+
+void fillSheet(const Scene& scene, const Sheet& sheet, const PointArray& position,
+               render::RenderFrame& frame) {
+    const Grid grid = gridOf(scene.cloth);
+    frame.sheet.width = grid.width;
+    frame.sheet.height = grid.height;
+    fillPositions(position, frame.sheet.positions);
+    frame.sheet.pinned.clear();
+    for (const GridPoint& p : scene.cloth.pinned)
+        frame.sheet.pinned.push_back(std::uint32_t(grid.index(p)));
+    if (showsStrain(scene.appearance) && sheet.grid == grid)
+        fillStrains(scene, sheet, position, frame);
+    else
+        frame.sheet.strains.clear();
+}
+
+} // namespace clothlab
