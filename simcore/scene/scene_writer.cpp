@@ -1,4 +1,5 @@
 // Text from a scene, in the order and to the letter of the course's files where those can say it.
+#include "simcore/scene/appearance_writer.h"
 #include "simcore/scene/json_text.h"
 #include "simcore/scene/object_writer.h"
 #include "simcore/scene/scene_io.h"
@@ -65,33 +66,6 @@ Entries entriesOf(const SimulationSettings& simulation) {
     return entries;
 }
 
-Entries springsDrawn(const Appearance& appearance) {
-    const Appearance byDefault;
-    Entries entries;
-    if (appearance.springsDrawn != byDefault.springsDrawn) {
-        add(entries, "structural", flagText(appearance.springsDrawn[0]));
-        add(entries, "shearing", flagText(appearance.springsDrawn[1]));
-        add(entries, "bending", flagText(appearance.springsDrawn[2]));
-    }
-    addUnknown(entries, appearance.unknownSpringKeys);
-    return entries;
-}
-
-Entries entriesOf(const Appearance& appearance) {
-    const Appearance byDefault;
-    Entries entries;
-    if (appearance.shader != byDefault.shader)
-        add(entries, "shader", json::quoted(appearance.shader));
-    if (appearance.color != byDefault.color)
-        add(entries, "color", tripleText(appearance.color));
-    if (const Entries springs = springsDrawn(appearance); !springs.empty())
-        add(entries, "springs_drawn", objectText(springs, 2));
-    if (appearance.springsOverSurface != byDefault.springsOverSurface)
-        add(entries, "springs_over_surface", flagText(appearance.springsOverSurface));
-    addUnknown(entries, appearance.unknownKeys);
-    return entries;
-}
-
 Entries entriesOf(const CameraView& camera) {
     Entries entries;
     add(entries, "target", tripleText(camera.target));
@@ -128,7 +102,7 @@ std::string writeScene(const Scene& scene) {
     addColliders(entries, "sphere", scene.spheres);
     addColliders(entries, "plane", scene.planes);
     addIfAny(entries, "simulation", entriesOf(scene.simulation));
-    addIfAny(entries, "appearance", entriesOf(scene.appearance));
+    addIfAny(entries, "appearance", appearanceEntries(scene.appearance));
     if (scene.camera)
         add(entries, "camera", objectText(entriesOf(*scene.camera), 1));
     addUnknown(entries, scene.unknownKeys);
