@@ -19,9 +19,32 @@ inline constexpr std::array<std::string_view, 3> kSphereKeys{"origin", "radius",
 inline constexpr std::array<std::string_view, 3> kPlaneKeys{"point", "normal", "friction"};
 inline constexpr std::array<std::string_view, 4> kSimulationKeys{"gravity", "frames_per_second",
                                                                  "steps_per_frame", "seed"};
-inline constexpr std::array<std::string_view, 4> kAppearanceKeys{"shader", "color", "springs_drawn",
-                                                                 "springs_over_surface"};
+inline constexpr std::array<std::string_view, 21> kAppearanceKeys{
+    "shader",
+    "color",
+    "back_color",
+    "two_sided",
+    "springs_drawn",
+    "springs_over_surface",
+    "springs_colored_by",
+    "strain_range",
+    "light_position",
+    "light_intensity",
+    "shadows",
+    "background",
+    "ground_grid",
+    "axes",
+    "samples",
+    "mesh_resolution",
+    "normal_scaling",
+    "height_scaling",
+    "textures",
+    "cubemap",
+    "uniforms",
+};
 inline constexpr std::array<std::string_view, 3> kSpringsDrawnKeys{"structural", "shearing", "bending"};
+inline constexpr std::array<std::string_view, 4> kTextureKeys{"texture_1", "texture_2", "texture_3",
+                                                              "texture_4"};
 inline constexpr std::array<std::string_view, 4> kCameraKeys{"target", "distance", "azimuth", "elevation"};
 
 bool isKnown(std::string_view key, Keys keys);

@@ -53,6 +53,10 @@ ValueReader ValueReader::element(json::Value value, std::size_t index) const {
     return {value, m_place + "[" + std::to_string(index) + "]", m_report};
 }
 
+ValueReader ValueReader::member(json::Value value, std::string_view key) const {
+    return {value, m_place + "." + shortened(key), m_report};
+}
+
 void ValueReader::error(std::string message, std::string remedy) const {
     m_report.error(m_place, std::move(message), std::move(remedy));
 }
@@ -102,14 +106,15 @@ std::optional<std::string> ValueReader::string(std::string_view wanted) const {
     return m_value.string();
 }
 
-std::optional<std::vector<double>> ValueReader::numbers(std::size_t count, std::string_view wanted) const {
+std::optional<std::vector<double>> ValueReader::numbers(std::size_t least, std::size_t most,
+                                                        std::string_view wanted) const {
     if (!require(json::Type::Array, wanted))
         return std::nullopt;
     std::vector<double> result;
     json::Elements elements(m_value);
     bool more = false;
     while (const auto next = elements.next()) {
-        more = result.size() == count;
+        more = result.size() == most;
         if (more)
             break;
         if (next->type() != json::Type::Number) {
@@ -118,9 +123,10 @@ std::optional<std::vector<double>> ValueReader::numbers(std::size_t count, std::
         }
         result.push_back(next->number());
     }
-    if (!more && result.size() == count)
+    if (!more && result.size() >= least)
         return result;
-    error("must hold " + std::to_string(count) + " numbers, holds " +
+    const std::string count = (least < most ? std::to_string(least) + " to " : "") + std::to_string(most);
+    error("must hold " + count + " numbers, holds " +
               (more ? std::string("more") : std::to_string(result.size())),
           "give " + std::string(wanted));
     return std::nullopt;
@@ -176,6 +182,11 @@ void ObjectReader::readBoolean(std::string_view key, bool& target) const {
         target = value->boolean().value_or(target);
 }
 
+void ObjectReader::readString(std::string_view key, std::string_view wanted, std::string& target) const {
+    if (const auto value = find(key))
+        target = value->string(wanted).value_or(std::move(target));
+}
+
 void ObjectReader::readVector(std::string_view key, std::string_view wanted, Vec3& target) const {
     if (const auto value = require(key, wanted)) {
         if (const auto numbers = value->numbers(3, wanted))
@@ -200,6 +211,20 @@ std::string ObjectReader::unknownKeys() const {
         text += json::compact(member.value.text);
     }
     return text.empty() ? text : text + "}";
+}
+
+void readParameters(const ObjectReader& object, std::string_view name, Scene& scene) {
+    for (const Parameter& parameter : parameters()) {
+        if (parameter.object() != name || parameter.key().ends_with(']'))
+            continue;
+        const auto value = object.find(parameter.key());
+        if (!value)
+            continue;
+        if (parameter.kind == Parameter::Kind::Boolean)
+            parameter.set(scene, value->boolean().value_or(false) ? 1 : 0);
+        else if (const auto number = value->number(rangeOf(parameter)))
+            parameter.set(scene, *number);
+    }
 }
 
 Vec3 toVec3(const std::vector<double>& numbers) {

@@ -22,13 +22,18 @@ public:
     json::Value value() const { return m_value; }
     const std::string& place() const { return m_place; }
     ValueReader element(json::Value value, std::size_t index) const;
+    ValueReader member(json::Value value, std::string_view key) const;
 
     std::optional<double> number(std::string_view wanted) const;
     std::optional<double> number(const Range& range) const;
     std::optional<bool> boolean() const; // 0 and 1 with a warning
     std::optional<std::string> string(std::string_view wanted) const;
-    // Exactly `count` numbers, of any size.
-    std::optional<std::vector<double>> numbers(std::size_t count, std::string_view wanted) const;
+    // From `least` to `most` numbers, of any size.
+    std::optional<std::vector<double>> numbers(std::size_t least, std::size_t most,
+                                               std::string_view wanted) const;
+    std::optional<std::vector<double>> numbers(std::size_t count, std::string_view wanted) const {
+        return numbers(count, count, wanted);
+    }
     std::optional<GridPoint> gridPoint() const; // as toGridPoint()
 
     bool require(json::Type type, std::string_view wanted) const;
@@ -55,6 +60,7 @@ public:
     // Into target, where the key is there and right.
     void readNumber(std::string_view key, const Range& range, double& target) const;
     void readBoolean(std::string_view key, bool& target) const;
+    void readString(std::string_view key, std::string_view wanted, std::string& target) const;
     void readVector(std::string_view key, std::string_view wanted, Vec3& target) const;
 
     // Warns about each key that is not known and returns them as the text of an object; empty if there are
@@ -69,6 +75,10 @@ private:
     Keys m_known;
     Report& m_report;
 };
+
+// The parameters of the table that are in this object of a scene, where they are there and right; without the
+// elements of lists.
+void readParameters(const ObjectReader& object, std::string_view name, Scene& scene);
 
 // Two whole numbers in a list; nothing, and no words, if the value is anything else.
 std::optional<GridPoint> toGridPoint(json::Value value);

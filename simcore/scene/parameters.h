@@ -15,7 +15,7 @@ struct Parameter {
     std::string_view id;    // "cloth.ks", "simulation.gravity[1]": its place in the file
     std::string_view label; // in panels
     std::string_view unit;  // in panels; empty if it has none
-    std::string_view help;  // one sentence: what it does to cloth
+    std::string_view help;  // one sentence: what it does to cloth or to the picture
     Kind kind;
     double minimum;
     double maximum;
@@ -25,6 +25,8 @@ struct Parameter {
     double panelDivisor; // value in panels = value in the file / panelDivisor
     double (*get)(const Scene&);
     void (*set)(Scene&, double); // precondition: minimum <= value <= maximum
+    double leastButZero = 0;     // if it is above 0: nothing between minimum, which is 0, and this
+    bool powersOfTwo = false;    // only 1, 2, 4, …
 
     double defaultValue() const { return get(Scene{}); }
     std::string_view object() const { return id.substr(0, id.find('.')); } // "cloth"

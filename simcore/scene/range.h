@@ -13,6 +13,8 @@ struct Range {
     double maximum = 0;
     bool whole = false;
     bool minimumExcluded = false;
+    double leastButZero = 0;  // as of a Parameter
+    bool powersOfTwo = false; // of whole numbers
 
     bool contains(double value) const; // false for NaN
     std::string words() const;         // "a whole number from 2 to 100"
@@ -26,6 +28,12 @@ inline constexpr Range kLength{0, kMaxCoordinate, false, true};
 inline constexpr Range kShare{0, 1};
 inline constexpr Range kAzimuth{-360, 360};
 inline constexpr Range kElevation{-90, 90};
+
+inline constexpr std::size_t kMaxUniforms = 1000; // of all shaders together, and as many shaders
+inline constexpr std::size_t kMaxFileNameBytes = 4096;
+inline constexpr std::size_t kMaxNameBytes = 200; // of a shader or a uniform
+inline constexpr std::size_t kFewestNumbers = 2;  // in the list that is a uniform's value
+inline constexpr std::size_t kMostNumbers = 4;
 
 // What is wrong with a number and what to write instead.
 std::string outOfRange(double value);

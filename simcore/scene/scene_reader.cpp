@@ -1,4 +1,5 @@
 // Scene from text: which key of which object means what.
+#include "simcore/scene/appearance_reader.h"
 #include "simcore/scene/json_check.h"
 #include "simcore/scene/object_reader.h"
 #include "simcore/scene/scene_checks.h"
@@ -35,8 +36,6 @@ private:
     void readPlane(const ValueReader& value);
     void readSimulation(const ValueReader& value);
     void readGravity(const ValueReader& value);
-    void readAppearance(const ValueReader& value);
-    void readSpringsDrawn(const ValueReader& value);
     void readCamera(const ValueReader& value);
 
     // One object, or a list of objects.
@@ -71,7 +70,7 @@ void SceneReader::readScene(const ValueReader& value) {
     if (const auto simulation = object.find("simulation"))
         readSimulation(*simulation);
     if (const auto appearance = object.find("appearance"))
-        readAppearance(*appearance);
+        readAppearance(*appearance, m_scene, m_report);
     if (const auto camera = object.find("camera"))
         readCamera(*camera);
     m_scene.unknownKeys = object.unknownKeys();
@@ -165,44 +164,13 @@ void SceneReader::readSimulation(const ValueReader& value) {
     const ObjectReader object(value, kSimulationKeys, m_report);
     if (const auto gravity = object.find("gravity"))
         readGravity(*gravity);
-    for (const Parameter& parameter : parameters()) {
-        if (parameter.object() != "simulation" || parameter.key().starts_with("gravity"))
-            continue;
-        if (const auto member = object.find(parameter.key())) {
-            if (const auto number = member->number(rangeOf(parameter)))
-                parameter.set(m_scene, *number);
-        }
-    }
+    readParameters(object, "simulation", m_scene);
     m_scene.simulation.unknownKeys = object.unknownKeys();
 }
 
 void SceneReader::readGravity(const ValueReader& value) {
     if (const auto numbers = value.numbers(3, "an acceleration as [x, y, z] in m/s²"))
         m_scene.simulation.gravity = toVec3(*numbers);
-}
-
-void SceneReader::readAppearance(const ValueReader& value) {
-    Appearance& appearance = m_scene.appearance;
-    const ObjectReader object(value, kAppearanceKeys, m_report);
-    if (const auto shader = object.find("shader"))
-        appearance.shader =
-            shader->string("the name of a shader, like \"Phong\"").value_or(appearance.shader);
-    if (const auto color = object.find("color")) {
-        if (const auto rgb = color->numbers(3, "a colour as [red, green, blue], each from 0 to 1"))
-            appearance.color = {(*rgb)[0], (*rgb)[1], (*rgb)[2]};
-    }
-    if (const auto springs = object.find("springs_drawn"))
-        readSpringsDrawn(*springs);
-    object.readBoolean("springs_over_surface", appearance.springsOverSurface);
-    appearance.unknownKeys = object.unknownKeys();
-}
-
-void SceneReader::readSpringsDrawn(const ValueReader& value) {
-    Appearance& appearance = m_scene.appearance;
-    const ObjectReader object(value, kSpringsDrawnKeys, m_report);
-    for (std::size_t type = 0; type < kSpringsDrawnKeys.size(); ++type)
-        object.readBoolean(kSpringsDrawnKeys[type], appearance.springsDrawn[type]);
-    appearance.unknownSpringKeys = object.unknownKeys();
 }
 
 void SceneReader::readCamera(const ValueReader& value) {

@@ -1,67 +1,13 @@
 // Text from a scene, in the order and to the letter of the course's files where those can say it.
+#include "simcore/scene/appearance_writer.h"
 #include "simcore/scene/json_text.h"
+#include "simcore/scene/object_writer.h"
 #include "simcore/scene/scene_io.h"
-
-#include <utility>
 
 namespace clothlab {
 namespace {
 
 using json::numberText;
-
-// The members of an object and the elements of a list are made before what holds them, so each is told how
-// deep it will stand.
-struct Entry {
-    std::string key; // with quotes
-    std::string value;
-};
-using Entries = std::vector<Entry>;
-
-std::string newLine(int level) {
-    return "\n" + std::string(static_cast<std::size_t>(2 * level), ' ');
-}
-
-std::string object(const Entries& entries, int level) {
-    std::string text = "{";
-    for (const Entry& entry : entries) {
-        text += text.size() > 1 ? "," : "";
-        text += newLine(level + 1) + entry.key + ": " + entry.value;
-    }
-    return text + newLine(level) + "}";
-}
-
-std::string list(const std::vector<std::string>& elements, int level) {
-    std::string text = "[";
-    for (const std::string& element : elements) {
-        text += text.size() > 1 ? "," : "";
-        text += newLine(level + 1) + element;
-    }
-    return text + (elements.empty() ? "" : newLine(level)) + "]";
-}
-
-void add(Entries& entries, std::string_view key, std::string value) {
-    entries.push_back({json::quoted(key), std::move(value)});
-}
-
-std::string flag(bool value) {
-    return value ? "true" : "false";
-}
-
-std::string triple(double a, double b, double c) {
-    return "[" + numberText(a) + ", " + numberText(b) + ", " + numberText(c) + "]";
-}
-
-std::string triple(const Vec3& v) {
-    return triple(v.x(), v.y(), v.z());
-}
-
-// On one line each: indenting what is nested could make a file many times longer.
-void addUnknown(Entries& entries, const std::string& unknownKeys) {
-    if (unknownKeys.empty())
-        return;
-    for (const json::Member& member : json::members(json::parse(unknownKeys)))
-        entries.push_back({std::string(member.keyText), json::spaced(member.value.text)});
-}
 
 Entries entriesOf(const Cloth& cloth) {
     std::vector<std::string> pinned;
@@ -73,23 +19,23 @@ Entries entriesOf(const Cloth& cloth) {
     add(entries, "damping", numberText(cloth.damping));
     add(entries, "density", numberText(cloth.density));
     add(entries, "ks", numberText(cloth.ks));
-    add(entries, "enable_structural", flag(cloth.enableStructural));
-    add(entries, "enable_shearing", flag(cloth.enableShearing));
-    add(entries, "enable_bending", flag(cloth.enableBending));
+    add(entries, "enable_structural", flagText(cloth.enableStructural));
+    add(entries, "enable_shearing", flagText(cloth.enableShearing));
+    add(entries, "enable_bending", flagText(cloth.enableBending));
     add(entries, "orientation", std::to_string(static_cast<int>(cloth.orientation)));
     add(entries, "width", numberText(cloth.width));
     add(entries, "height", numberText(cloth.height));
     add(entries, "num_width_points", std::to_string(cloth.numWidthPoints));
     add(entries, "num_height_points", std::to_string(cloth.numHeightPoints));
     add(entries, "thickness", numberText(cloth.thickness));
-    add(entries, "pinned", list(pinned, 2));
+    add(entries, "pinned", listText(pinned, 2));
     addUnknown(entries, cloth.unknownKeys);
     return entries;
 }
 
 Entries entriesOf(const Sphere& sphere) {
     Entries entries;
-    add(entries, "origin", triple(sphere.origin));
+    add(entries, "origin", tripleText(sphere.origin));
     add(entries, "radius", numberText(sphere.radius));
     add(entries, "friction", numberText(sphere.friction));
     addUnknown(entries, sphere.unknownKeys);
@@ -98,8 +44,8 @@ Entries entriesOf(const Sphere& sphere) {
 
 Entries entriesOf(const Plane& plane) {
     Entries entries;
-    add(entries, "point", triple(plane.point));
-    add(entries, "normal", triple(plane.normal));
+    add(entries, "point", tripleText(plane.point));
+    add(entries, "normal", tripleText(plane.normal));
     add(entries, "friction", numberText(plane.friction));
     addUnknown(entries, plane.unknownKeys);
     return entries;
@@ -109,7 +55,7 @@ Entries entriesOf(const SimulationSettings& simulation) {
     const SimulationSettings byDefault;
     Entries entries;
     if (simulation.gravity != byDefault.gravity)
-        add(entries, "gravity", triple(simulation.gravity));
+        add(entries, "gravity", tripleText(simulation.gravity));
     if (simulation.framesPerSecond != byDefault.framesPerSecond)
         add(entries, "frames_per_second", std::to_string(simulation.framesPerSecond));
     if (simulation.stepsPerFrame != byDefault.stepsPerFrame)
@@ -120,36 +66,9 @@ Entries entriesOf(const SimulationSettings& simulation) {
     return entries;
 }
 
-Entries springsDrawn(const Appearance& appearance) {
-    const Appearance byDefault;
-    Entries entries;
-    if (appearance.springsDrawn != byDefault.springsDrawn) {
-        add(entries, "structural", flag(appearance.springsDrawn[0]));
-        add(entries, "shearing", flag(appearance.springsDrawn[1]));
-        add(entries, "bending", flag(appearance.springsDrawn[2]));
-    }
-    addUnknown(entries, appearance.unknownSpringKeys);
-    return entries;
-}
-
-Entries entriesOf(const Appearance& appearance) {
-    const Appearance byDefault;
-    Entries entries;
-    if (appearance.shader != byDefault.shader)
-        add(entries, "shader", json::quoted(appearance.shader));
-    if (appearance.color != byDefault.color)
-        add(entries, "color", triple(appearance.color[0], appearance.color[1], appearance.color[2]));
-    if (const Entries springs = springsDrawn(appearance); !springs.empty())
-        add(entries, "springs_drawn", object(springs, 2));
-    if (appearance.springsOverSurface != byDefault.springsOverSurface)
-        add(entries, "springs_over_surface", flag(appearance.springsOverSurface));
-    addUnknown(entries, appearance.unknownKeys);
-    return entries;
-}
-
 Entries entriesOf(const CameraView& camera) {
     Entries entries;
-    add(entries, "target", triple(camera.target));
+    add(entries, "target", tripleText(camera.target));
     add(entries, "distance", numberText(camera.distance));
     add(entries, "azimuth", numberText(camera.azimuth));
     add(entries, "elevation", numberText(camera.elevation));
@@ -159,35 +78,35 @@ Entries entriesOf(const CameraView& camera) {
 
 void addIfAny(Entries& entries, std::string_view key, const Entries& members) {
     if (!members.empty())
-        add(entries, key, object(members, 1));
+        add(entries, key, objectText(members, 1));
 }
 
 // One as an object, as the course's files have it; several as a list.
 template <typename Collider>
 void addColliders(Entries& entries, std::string_view key, const std::vector<Collider>& colliders) {
     if (colliders.size() == 1)
-        return add(entries, key, object(entriesOf(colliders.front()), 1));
+        return add(entries, key, objectText(entriesOf(colliders.front()), 1));
     std::vector<std::string> elements;
     elements.reserve(colliders.size());
     for (const Collider& collider : colliders)
-        elements.push_back(object(entriesOf(collider), 2));
+        elements.push_back(objectText(entriesOf(collider), 2));
     if (!elements.empty())
-        add(entries, key, list(elements, 1));
+        add(entries, key, listText(elements, 1));
 }
 
 } // namespace
 
 std::string writeScene(const Scene& scene) {
     Entries entries;
-    add(entries, "cloth", object(entriesOf(scene.cloth), 1));
+    add(entries, "cloth", objectText(entriesOf(scene.cloth), 1));
     addColliders(entries, "sphere", scene.spheres);
     addColliders(entries, "plane", scene.planes);
     addIfAny(entries, "simulation", entriesOf(scene.simulation));
-    addIfAny(entries, "appearance", entriesOf(scene.appearance));
+    addIfAny(entries, "appearance", appearanceEntries(scene.appearance));
     if (scene.camera)
-        add(entries, "camera", object(entriesOf(*scene.camera), 1));
+        add(entries, "camera", objectText(entriesOf(*scene.camera), 1));
     addUnknown(entries, scene.unknownKeys);
-    return object(entries, 0) + "\n";
+    return objectText(entries, 0) + "\n";
 }
 
 } // namespace clothlab

@@ -6,6 +6,8 @@
 #include "simcore/scene/scene_io.h"
 #include "simcore/scene/utf8.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace clothlab {
@@ -87,15 +89,88 @@ void checkColliders(const Scene& scene, Report& report) {
     }
 }
 
-void checkAppearance(const Appearance& appearance, Report& report) {
-    constexpr std::size_t kLongestName = 200;
-    for (std::size_t i = 0; i < appearance.color.size(); ++i)
-        check(appearance.color[i], kShare, "appearance.color[" + std::to_string(i) + "]", report);
-    const std::string& name = appearance.shader;
+void check(const Rgb& color, const std::string& place, Report& report) {
+    for (std::size_t i = 0; i < color.size(); ++i)
+        check(color[i], kShare, place + "[" + std::to_string(i) + "]", report);
+}
+
+void checkShaderName(const std::string& name, const std::string& place, Report& report) {
     const bool isPath = name.find_first_of("/\\") != std::string::npos || name == "." || name == "..";
-    if (name.empty() || name.size() > kLongestName || isPath || !isUtf8(name))
-        report.error("appearance.shader", "is not the name of a shader",
-                     "give a name like \"Phong\", without / or \\");
+    if (name.empty() || name.size() > kMaxNameBytes || isPath || !isUtf8(name))
+        report.error(place, "is not the name of a shader", "give a name like \"Phong\", without / or \\");
+}
+
+void checkFileName(const std::string& name, const std::string& place, Report& report) {
+    if (name.size() > kMaxFileNameBytes || !isUtf8(name))
+        report.error(place, "is not the name of a file",
+                     "give a name in UTF-8 of at most " + std::to_string(kMaxFileNameBytes) +
+                         " bytes, without zero bytes");
+}
+
+// As GLSL has them, but for those that it keeps for itself: no shader can ask for these.
+bool isIdentifier(std::string_view name) {
+    const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
+    const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+    return !name.empty() && name.size() <= kMaxNameBytes && isLetter(name.front()) &&
+           std::ranges::all_of(name, [&](char c) { return isLetter(c) || isDigit(c); });
+}
+
+void checkUniform(const UniformValue& value, const std::string& place, Report& report) {
+    if (const auto* number = std::get_if<double>(&value); number && !std::isfinite(*number))
+        report.error(place, outOfRange(*number), "give a number");
+    if (const auto* file = std::get_if<std::string>(&value))
+        checkFileName(*file, place, report);
+    const auto* numbers = std::get_if<std::vector<double>>(&value);
+    if (!numbers)
+        return;
+    if (numbers->size() < kFewestNumbers || numbers->size() > kMostNumbers)
+        report.error(place, "holds " + std::to_string(numbers->size()) + " numbers", "give 2 to 4 numbers");
+    for (std::size_t i = 0; i < std::min(numbers->size(), kMostNumbers); ++i) {
+        if (!std::isfinite((*numbers)[i]))
+            report.error(place + "[" + std::to_string(i) + "]", outOfRange((*numbers)[i]), "give a number");
+    }
+}
+
+void checkUniforms(const Appearance& appearance, Report& report) {
+    const std::string place = "appearance.uniforms";
+    std::size_t count = 0;
+    for (const auto& [shader, values] : appearance.uniforms) {
+        const std::string placeOfShader = place + "." + shortened(shader);
+        checkShaderName(shader, placeOfShader, report);
+        for (const auto& [name, value] : values) {
+            if (report.full())
+                return;
+            const std::string placeOfValue = placeOfShader + "." + shortened(name);
+            if (!isIdentifier(name))
+                report.error(placeOfValue, "is not the name of a uniform",
+                             "give a name like u_roughness: letters, digits and _, at most " +
+                                 std::to_string(kMaxNameBytes));
+            checkUniform(value, placeOfValue, report);
+        }
+        count += values.size();
+    }
+    if (appearance.uniforms.size() > kMaxUniforms || count > kMaxUniforms)
+        report.error(place,
+                     "are more than the " + std::to_string(kMaxUniforms) +
+                         " that a scene may have, or of more shaders than that",
+                     "remove some of them");
+}
+
+void checkAppearance(const Appearance& appearance, Report& report) {
+    checkShaderName(appearance.shader, "appearance.shader", report);
+    check(appearance.color, "appearance.color", report);
+    if (appearance.backColor)
+        check(*appearance.backColor, "appearance.back_color", report);
+    if (appearance.background)
+        check(*appearance.background, "appearance.background", report);
+    if (appearance.springColoring != SpringColoring::ByType &&
+        appearance.springColoring != SpringColoring::ByStrain)
+        report.error("appearance.springs_colored_by", "is not what springs can be coloured by",
+                     "give \"type\" or \"strain\"");
+    for (std::size_t i = 0; i < appearance.textures.size(); ++i)
+        checkFileName(appearance.textures[i], "appearance.textures." + std::string(kTextureKeys[i]), report);
+    checkFileName(appearance.cubemap, "appearance.cubemap", report);
+    checkUniforms(appearance, report);
 }
 
 void checkCamera(const CameraView& camera, Report& report) {
@@ -136,6 +211,7 @@ void checkAllUnknownKeys(const Scene& scene, Report& report) {
     checkUnknownKeys(scene.appearance.unknownKeys, "appearance", kAppearanceKeys, report);
     checkUnknownKeys(scene.appearance.unknownSpringKeys, "appearance.springs_drawn", kSpringsDrawnKeys,
                      report);
+    checkUnknownKeys(scene.appearance.unknownTextureKeys, "appearance.textures", kTextureKeys, report);
     if (scene.camera)
         checkUnknownKeys(scene.camera->unknownKeys, "camera", kCameraKeys, report);
 }

@@ -78,19 +78,74 @@ private:
                 2;
     }
 
-    void decorate(Scene& scene) {
+    std::string shaderName() {
         constexpr std::array<const char*, 5> kNames{"Phong", "Wireframe", "Seide \"ö\"", "\xF0\x9F\xA7\xB5",
                                                     "a\tb"};
+        return kNames[static_cast<std::size_t>(below(int(kNames.size())))];
+    }
+
+    std::string fileName() {
+        const std::array<std::string, 6> names{"",
+                                               "linen.png",
+                                               "../Wäsche \"1\".png",
+                                               "c:\\silk\\\xF0\x9F\xA7\xB5",
+                                               "a\nb\x7F",
+                                               std::string(kMaxFileNameBytes, '\x01')};
+        return names[static_cast<std::size_t>(below(int(names.size())))];
+    }
+
+    double anyNumber() { return chance(0.2) ? -0.0 : std::ldexp(uniform(-1, 1), below(2040) - 1020); }
+    Rgb color() { return {within(kShare), within(kShare), within(kShare)}; }
+
+    UniformValue uniformValue() {
+        switch (below(4)) {
+        case 0:
+            return chance(0.5);
+        case 1:
+            return anyNumber();
+        case 2:
+            return fileName();
+        default:
+            std::vector<double> numbers(std::size_t(2 + below(3)));
+            for (double& number : numbers)
+                number = anyNumber();
+            return numbers;
+        }
+    }
+
+    std::map<std::string, UniformValues> uniforms() {
+        const std::array<std::string, 5> names{"u_tint", "_", "R2D2", "uniform_u", std::string(200, 'u')};
+        std::map<std::string, UniformValues> shaders;
+        for (int i = below(4); i > 0; --i) {
+            UniformValues& values = shaders[shaderName()];
+            for (int j = below(5); j > 0; --j)
+                values[names[static_cast<std::size_t>(below(int(names.size())))]] = uniformValue();
+        }
+        return shaders;
+    }
+
+    void decorate(Scene& scene) {
         Appearance& appearance = scene.appearance;
         if (chance(0.5))
-            appearance.shader = kNames[static_cast<std::size_t>(below(int(kNames.size())))];
+            appearance.shader = shaderName();
         for (double& channel : appearance.color)
             channel = chance(0.5) ? channel : within(kShare);
+        if (chance(0.5))
+            appearance.backColor = color();
+        if (chance(0.5))
+            appearance.background = color();
+        appearance.springColoring = chance(0.5) ? SpringColoring::ByStrain : SpringColoring::ByType;
+        for (std::string& texture : appearance.textures)
+            texture = fileName();
+        appearance.cubemap = fileName();
+        if (chance(0.7))
+            appearance.uniforms = uniforms();
         for (bool& drawn : appearance.springsDrawn)
             drawn = chance(0.7);
         appearance.springsOverSurface = chance(0.3);
         appearance.unknownKeys = unknown();
         appearance.unknownSpringKeys = unknown();
+        appearance.unknownTextureKeys = unknown();
         if (chance(0.5))
             scene.camera = CameraView{vector(kCoordinate), within(kLength), within(kAzimuth),
                                       within(kElevation), unknown()};

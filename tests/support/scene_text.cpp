@@ -22,7 +22,15 @@ Json everyKeyScene() {
     scene["simulation"] = Json::parse(
         R"({"gravity": [0, -1.62, 0], "frames_per_second": 60, "steps_per_frame": 40, "seed": 7})");
     scene["appearance"] = Json::parse(R"({"shader": "Mirror", "color": [0.1, 0.2, 0.3],
-        "springs_drawn": {"structural": true, "shearing": false, "bending": true}, "springs_over_surface": true})");
+        "back_color": [0.4, 0, 1], "two_sided": false,
+        "springs_drawn": {"structural": true, "shearing": false, "bending": true}, "springs_over_surface": true,
+        "springs_colored_by": "strain", "strain_range": 0.05, "light_position": [0.5, 3, -2],
+        "light_intensity": [4, 3.5, 3], "shadows": false, "background": [0, 0, 0.25], "ground_grid": false,
+        "axes": false, "samples": 8, "mesh_resolution": 128, "normal_scaling": -3, "height_scaling": 0.02,
+        "textures": {"texture_1": "linen.png", "texture_2": "../felt.png", "texture_3": "c:\\\\silk.png",
+                     "texture_4": "/tmp/wool \u00fc.png"}, "cubemap": "sky",
+        "uniforms": {"Checks": {"u_cells": 8, "u_map": "map.png", "u_on": true, "u_tint": [1, 0, 0.5]},
+                     "Phong": {"u_roughness": 0.5}}})");
     scene["camera"] =
         Json::parse(R"({"target": [0.5, 0.5, 0.5], "distance": 3, "azimuth": 30, "elevation": 20})");
     return scene;

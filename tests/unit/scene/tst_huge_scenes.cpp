@@ -53,6 +53,19 @@ std::string manyKeys(std::size_t bytes) {
     return text;
 }
 
+std::string withUniforms(const std::string& uniforms) {
+    return "{\"cloth\":{},\"appearance\":{\"uniforms\":" + uniforms + "}}";
+}
+
+std::string manyShaders(std::size_t bytes) {
+    std::string values = manyKeys(200);
+    values.pop_back();
+    std::string text = "{";
+    for (int i = 0; text.size() < bytes; ++i)
+        text += "\"s" + std::to_string(i) + "\":{" + values + "},";
+    return text + "\"z\":{}}";
+}
+
 const std::array kHugeScenes{
     HugeScene{"16 MB of [", [] { return std::string(kHuge, '['); }},
     HugeScene{"16 MB of {\"a\":", [] { return repeated("{\"a\":", kHuge); }},
@@ -69,6 +82,11 @@ const std::array kHugeScenes{
     HugeScene{"16 MB of word", [] { return std::string(kHuge, 'a'); }},
     HugeScene{"a shader's name of 16 MB",
               [] { return replaced(test::everyKeyScene().dump(), "Mirror", std::string(kHuge, 'a')); }},
+    HugeScene{"16 MB of one uniform's numbers",
+              [] { return withUniforms("{\"A\":{\"u\":[" + repeated("0,", kHuge) + "0]}}"); }},
+    HugeScene{"16 MB of a shader of uniforms",
+              [] { return withUniforms("{\"" + std::string(kHuge, 'a') + "\":{\"u\":1}}"); }},
+    HugeScene{"16 MB of shaders with uniforms", [] { return withUniforms(manyShaders(kHuge)); }},
     HugeScene{"16 MB of distinct keys", [] { return "{" + manyKeys(kHuge) + "\"z\":1}"; }},
     HugeScene{"16 MB of one key", [] { return "{" + repeated("\"a\":1,", kHuge) + "\"a\":1}"; }},
     HugeScene{"16 MB of keys in nested objects",

@@ -210,9 +210,9 @@ private slots:
     }
 
     void missingKeysOfExtensionsAreNotWorthAWord() {
-        const SceneReading reading =
-            readScene(R"({"cloth": )" + test::courseScene()["cloth"].dump() +
-                      R"(, "simulation": {}, "appearance": {"springs_drawn": {}}, "camera": {}})");
+        const SceneReading reading = readScene(
+            R"({"cloth": )" + test::courseScene()["cloth"].dump() +
+            R"(, "simulation": {}, "appearance": {"springs_drawn": {}, "textures": {}, "uniforms": {}}, "camera": {}})");
         QVERIFY2(reading.diagnostics.empty(), test::toText(reading.diagnostics).c_str());
         QVERIFY(reading.scene->simulation == SimulationSettings{});
         QVERIFY(reading.scene->appearance == Appearance{});
@@ -230,9 +230,11 @@ private slots:
         const Json every = test::everyKeyScene();
         Json appearance = every["appearance"];
         const std::string springs = object(appearance["springs_drawn"]);
+        const std::string textures = object(appearance["textures"]);
         appearance.erase("springs_drawn");
+        appearance.erase("textures");
         std::string appearanceText = object(appearance);
-        appearanceText.insert(1, R"("springs_drawn": )" + springs + ", ");
+        appearanceText.insert(1, R"("springs_drawn": )" + springs + R"(, "textures": )" + textures + ", ");
         const std::string text = R"({"cloth": )" + object(every["cloth"]) + R"(, "sphere": [)" +
                                  object(every["sphere"]) + ", " + every["sphere"].dump() + R"(], "plane": )" +
                                  object(every["plane"]) + R"(, "simulation": )" +
@@ -242,7 +244,8 @@ private slots:
         for (const std::string& unknown :
              {scene.unknownKeys, scene.cloth.unknownKeys, scene.spheres[0].unknownKeys,
               scene.planes[0].unknownKeys, scene.simulation.unknownKeys, scene.appearance.unknownKeys,
-              scene.appearance.unknownSpringKeys, scene.camera->unknownKeys})
+              scene.appearance.unknownSpringKeys, scene.appearance.unknownTextureKeys,
+              scene.camera->unknownKeys})
             QCOMPARE(unknown, kept);
         QCOMPARE(scene.spheres[1].unknownKeys, "");
         QVERIFY(load(writeScene(scene)) == scene);

@@ -26,6 +26,14 @@ Scene goodScene() {
     return scene;
 }
 
+void addUniforms(Scene& scene, int shaders, int ofEach) {
+    for (int i = 0; i < shaders; ++i) {
+        UniformValues& values = scene.appearance.uniforms["Shader " + std::to_string(i)];
+        for (int j = 0; j < ofEach; ++j)
+            values["u_" + std::to_string(j)] = double(j);
+    }
+}
+
 Scene edited(const Edit& edit) {
     Scene scene = goodScene();
     edit(scene);
@@ -82,10 +90,51 @@ private slots:
         row("gravity", "simulation.gravity[2]", [](Scene& s) { s.simulation.gravity.z() = kNaN; });
         row("color", "appearance.color[2]", [](Scene& s) { s.appearance.color[2] = 1.5; });
         row("shader", "appearance.shader", [](Scene& s) { s.appearance.shader = "a/b"; });
+        row("back color", "appearance.back_color[0]", [](Scene& s) {
+            s.appearance.backColor = Rgb{-0.1, 0, 0};
+        });
+        row("background", "appearance.background[1]", [](Scene& s) {
+            s.appearance.background = Rgb{0, kNaN, 0};
+        });
+        row("coloring out of its type", "appearance.springs_colored_by",
+            [](Scene& s) { s.appearance.springColoring = static_cast<SpringColoring>(2); });
+        row("3 samples", "appearance.samples", [](Scene& s) { s.appearance.samples = 3; });
+        row("mesh of 15", "appearance.mesh_resolution", [](Scene& s) { s.appearance.meshResolution = 15; });
+        row("mesh of 1", "appearance.mesh_resolution", [](Scene& s) { s.appearance.meshResolution = 1; });
+        row("tiny strain", "appearance.strain_range", [](Scene& s) { s.appearance.strainRange = 9e-7; });
+        row("texture", "appearance.textures.texture_3", [](Scene& s) { s.appearance.textures[2] = "\xFF"; });
+        row("texture with a zero byte", "appearance.textures.texture_1",
+            [](Scene& s) { s.appearance.textures[0] = std::string("a\0b", 3); });
+        row("cubemap", "appearance.cubemap", [](Scene& s) { s.appearance.cubemap.assign(4097, 'a'); });
+        row("infinite uniform", "appearance.uniforms.Phong.u_a",
+            [](Scene& s) { s.appearance.uniforms["Phong"]["u_a"] = kInfinity; });
+        row("one number", "appearance.uniforms.Phong.u_a",
+            [](Scene& s) { s.appearance.uniforms["Phong"]["u_a"] = std::vector<double>(1); });
+        row("five numbers", "appearance.uniforms.Phong.u_a",
+            [](Scene& s) { s.appearance.uniforms["Phong"]["u_a"] = std::vector<double>(5); });
+        row("number in a list", "appearance.uniforms.Phong.u_a[1]", [](Scene& s) {
+            s.appearance.uniforms["Phong"]["u_a"] = std::vector<double>{0, kNaN};
+        });
+        row("file of a uniform", "appearance.uniforms.Phong.u_a",
+            [](Scene& s) { s.appearance.uniforms["Phong"]["u_a"] = "\xC0\xAF"; });
+        for (const char* name : {"", "2d", "u-a", "u a", "ü", "lights[0]"})
+            QTest::addRow("uniform named '%s'", name)
+                << Edit([name](Scene& s) { s.appearance.uniforms["Phong"][name] = 1.0; })
+                << QString("appearance.uniforms.Phong.") + name;
+        row("long uniform", "appearance.uniforms.Phong.uuuuuuuuuuuuuuuuuuuuuuuuuuuuuuuuuuuuuuuu…",
+            [](Scene& s) { s.appearance.uniforms["Phong"][std::string(201, 'u')] = 1.0; });
+        row("shader of uniforms", "appearance.uniforms.a/b",
+            [](Scene& s) { s.appearance.uniforms["a/b"]["u_a"] = 1.0; });
+        row("too many shaders", "appearance.uniforms", [](Scene& s) { addUniforms(s, 1001, 0); });
+        row("too many uniforms", "appearance.uniforms", [](Scene& s) { addUniforms(s, 7, 143); });
         row("camera", "camera.distance", [](Scene& s) { s.camera->distance = 0; });
         row("camera's target", "camera.target[0]", [](Scene& s) { s.camera->target.x() = kNaN; });
         row("known key among the unknown", "cloth.ks", [](Scene& s) { s.cloth.unknownKeys = "{\"ks\":1}"; });
         row("known key at the top", "plane", [](Scene& s) { s.unknownKeys = "{\"plane\":1}"; });
+        row("known key of appearance", "appearance.axes",
+            [](Scene& s) { s.appearance.unknownKeys = "{\"axes\":1}"; });
+        row("known key of textures", "appearance.textures.texture_1",
+            [](Scene& s) { s.appearance.unknownTextureKeys = "{\"texture_1\":1}"; });
         row("unknown keys that are a list", "plane", [](Scene& s) { s.planes[0].unknownKeys = "[]"; });
     }
     void errorsAreFound() {
@@ -156,6 +205,16 @@ private slots:
         row("between the points", [](Scene& s) {
             s.spheres.push_back({{0.51 / 49, 1, 0.51 / 49}, 0.005, 0, ""});
         });
+        row("strain that is found", [](Scene& s) { s.appearance.strainRange = 0; });
+        row("small strain", [](Scene& s) { s.appearance.strainRange = 1e-6; });
+        row("coarse mesh", [](Scene& s) { s.appearance.meshResolution = 16; });
+        row("1 sample", [](Scene& s) { s.appearance.samples = 1; });
+        row("2 samples", [](Scene& s) { s.appearance.samples = 2; });
+        row("long file name", [](Scene& s) { s.appearance.cubemap.assign(4096, 'a'); });
+        row("long name of a uniform",
+            [](Scene& s) { s.appearance.uniforms["Phong"][std::string(200, 'u')] = true; });
+        row("many shaders", [](Scene& s) { addUniforms(s, 1000, 0); });
+        row("many uniforms", [](Scene& s) { addUniforms(s, 8, 125); });
         row("touching a plane", [](Scene& s) { s.planes[0].point.y() = 1; });
         row("weightless", [](Scene& s) {
             s.cloth.pinned.clear();
@@ -204,6 +263,12 @@ private slots:
         const Diagnostics found = validate(edited([](Scene& s) { s.cloth.ks = -1; }));
         QCOMPARE(clothlab::toText(found.front(), "a.json"),
                  "a.json: cloth.ks: must not be -1; give a number from 0 to 1000000000");
+        const auto remedy = [](const Edit& edit) { return validate(edited(edit)).front().remedy; };
+        QCOMPARE(remedy([](Scene& s) { s.appearance.samples = 3; }), "give 1, 2, 4 or 8");
+        QCOMPARE(remedy([](Scene& s) { s.appearance.meshResolution = 15; }),
+                 "give 0 or a whole number from 16 to 512");
+        QCOMPARE(remedy([](Scene& s) { s.appearance.strainRange = 11; }),
+                 "give 0 or a number from 1e-06 to 10");
         QCOMPARE(clothlab::toText({Severity::Error, "", "is empty", ""}, ""), "is empty");
     }
 
