@@ -27,7 +27,7 @@ say() {
 say_requirements() {
     say "ClothLab needs:
   to build: cmake >= 3.21, ninja, g++ >= 12 or clang >= 14, OpenGL and its headers,
-            Qt >= 6.4 (Widgets, OpenGL, OpenGLWidgets, Svg, Test), Eigen >= 3.4, nlohmann-json >= 3.11, stb
+            Qt >= 6.4 (Widgets, OpenGL, OpenGLWidgets, Svg, DBus, Test), Eigen >= 3.4, nlohmann-json >= 3.11, stb
   to test:  Xvfb, xvfb-run, xauth, Mesa's software OpenGL, a font such as DejaVu Sans
   to time:  Google Benchmark (only ./run bench)"
 }

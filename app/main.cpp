@@ -20,6 +20,9 @@ QStringList argumentsOf(int argc, char** argv) {
 constexpr const char* kNoWindow = "clothlab simulate needs none, and QT_QPA_PLATFORM=offscreen opens an "
                                   "invisible window; see clothlab --help";
 
+constexpr const char* kNoServer =
+    "an X server does, also one without a screen: xvfb-run -a clothlab render …";
+
 bool hasDisplay() {
     return qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY") ||
            qEnvironmentVariableIsSet("QT_QPA_PLATFORM");
@@ -30,7 +33,6 @@ void setSurfaceFormat() {
     format.setVersion(3, 3);
     format.setProfile(QSurfaceFormat::CoreProfile);
     format.setDepthBufferSize(24);
-    format.setSamples(4);
     QSurfaceFormat::setDefaultFormat(format);
 }
 
@@ -53,19 +55,26 @@ int usageError(const char* message) {
 } // namespace
 
 int main(int argc, char** argv) {
-    if (clothlab::cli::isCommand(argumentsOf(argc, argv))) {
+    const QStringList given = argumentsOf(argc, argv);
+    const bool draws = clothlab::cli::drawsPictures(given);
+    if (clothlab::cli::isCommand(given) && !draws) {
         const QCoreApplication application(argc, argv);
         return clothlab::cli::runCommand(QCoreApplication::arguments().mid(1));
     }
 #ifdef Q_OS_LINUX
     if (!hasDisplay()) {
-        std::fprintf(stderr, "clothlab: no display to open a window on (DISPLAY is not set); %s\n",
-                     kNoWindow);
+        std::fprintf(stderr, "clothlab: no display %s (DISPLAY is not set); %s\n",
+                     draws ? "to draw with" : "to open a window on", draws ? kNoServer : kNoWindow);
         return clothlab::cli::WrongUsage;
     }
 #endif
     setSurfaceFormat();
     nextHandler = qInstallMessageHandler(noDisplayIsWrongUsage);
+    if (draws) {
+        const QGuiApplication application(argc, argv);
+        qInstallMessageHandler(nextHandler);
+        return clothlab::cli::runCommand(QCoreApplication::arguments().mid(1));
+    }
     const QApplication application(argc, argv);
     qInstallMessageHandler(nextHandler);
     QApplication::setApplicationName("ClothLab");

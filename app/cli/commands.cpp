@@ -1,6 +1,7 @@
 #include "app/cli/commands.h"
 
 #include "app/cli/exit_status.h"
+#include "app/cli/render_command.h"
 #include "app/cli/simulate_command.h"
 #include "simcore/inspect/stability.h"
 #include "simcore/scene/scene_io.h"
@@ -41,6 +42,7 @@ QString helpText() {
       --frames N                        frames to play first (default 90)
       --theme dark|light                theme of the window (also without --screenshot)
       --size WxH                        size of the window (default 1440x900)
+      --shader-dir DIR                  folder of shaders (also without --screenshot)
   clothlab simulate SCENE               simulate without a window
       --frames N                        frames to simulate (default 90)
       --fps F                           frames per second instead of the scene's
@@ -49,6 +51,12 @@ QString helpText() {
       --output FILE                     write the last frame as .obj or .csv; with %04d in its name,
                                         every frame from 0, the start; may be given several times
       --report FILE|-                   write measures of the run as JSON
+  clothlab render SCENE                 make a picture; needs an X server, like that of xvfb-run
+      --frame N                         frame to show (default 90)
+      --shader NAME                     instead of the scene's; "all" for a sheet with every one
+      --size WxH                        size of the picture (default 1280x800)
+      --output FILE                     the .png to write
+      --shader-dir DIR, --threads T     as above
   clothlab check SCENE                  say what is wrong or doubtful about a scene
   clothlab --help | --version
 
@@ -59,14 +67,20 @@ Exit status: 0 done; 1 check found warnings; 2 wrong usage; 3 the input is inval
 }
 
 bool isCommand(const QStringList& arguments) {
-    static const QStringList words{"simulate", "check", "--help", "-h", "--version"};
+    static const QStringList words{"simulate", "render", "check", "--help", "-h", "--version"};
     return !arguments.isEmpty() && words.contains(arguments[0]);
+}
+
+bool drawsPictures(const QStringList& arguments) {
+    return arguments.value(0) == "render";
 }
 
 int runCommand(const QStringList& arguments) {
     const QString command = arguments.value(0);
     if (command == "simulate")
         return simulateCommand(arguments.mid(1));
+    if (command == "render")
+        return renderCommand(arguments.mid(1));
     if (command == "check")
         return checkCommand(arguments.mid(1));
     if (command == "--version")

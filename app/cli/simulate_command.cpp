@@ -1,6 +1,6 @@
 #include "app/cli/simulate_command.h"
 
-#include "app/cli/exit_status.h"
+#include "app/cli/arguments.h"
 #include "app/cli/output_path.h"
 #include "app/cli/run_report.h"
 #include "simcore/base/file.h"
@@ -10,7 +10,6 @@
 #include "simcore/scene/parameters.h"
 #include "simcore/scene/scene_io.h"
 
-#include <QCommandLineParser>
 #include <QElapsedTimer>
 
 #include <csignal>
@@ -36,28 +35,6 @@ struct Options {
     std::vector<Output> outputs;
     QString report;
 };
-
-int fail(ExitStatus status, const QString& message) {
-    std::fprintf(stderr, "clothlab: %s\n", qPrintable(message));
-    return status;
-}
-
-// The value of an option that takes a whole number, or what is wrong with it.
-QString readInteger(const QCommandLineParser& parser, const QString& option, int minimum, int maximum,
-                    std::optional<int>& value) {
-    if (!parser.isSet(option))
-        return {};
-    bool ok = false;
-    const int number = parser.value(option).toInt(&ok);
-    if (!ok || number < minimum || number > maximum)
-        return QStringLiteral("--%1 takes a whole number from %2 to %3, not '%4'")
-            .arg(option)
-            .arg(minimum)
-            .arg(maximum)
-            .arg(parser.value(option));
-    value = number;
-    return {};
-}
 
 QString readOutputs(const QStringList& names, std::vector<Output>& outputs) {
     for (const QString& file : names) {

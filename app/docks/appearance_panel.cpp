@@ -9,6 +9,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -92,16 +93,18 @@ void AppearancePanel::addShaderGroup() {
     group->contentLayout()->addWidget(m_controls);
 }
 
-ColorRow* AppearancePanel::makeColorRow(const QString& label, const QString& toolTip, const QString& byDefault,
+ColorRow* AppearancePanel::makeColorRow(const QString& label, const QString& toolTip,
+                                        const QString& byDefault,
                                         std::optional<Rgb> (*get)(const Appearance&),
-                                        void (*set)(Appearance&, const std::optional<Rgb>&)) {
+                                        void (*put)(Appearance&, const std::optional<Rgb>&)) {
     auto* row = new ColorRow(label, toolTip, byDefault);
     const QString text = tr("change %1").arg(label);
-    connect(row, &ColorRow::edited, this, [this, text, set](const QColor& color, int gesture) {
-        editAppearance(text, [&](Appearance& a) { set(a, toRgb(color)); }, gesture);
+    connect(row, &ColorRow::edited, this, [this, text, put](const QColor& color, int gesture) {
+        editAppearance(
+            text, [&](Appearance& a) { put(a, toRgb(color)); }, gesture);
     });
-    connect(row, &ColorRow::resetAsked, this, [this, text, get, set] {
-        editAppearance(text, [&](Appearance& a) { set(a, get(Appearance{})); });
+    connect(row, &ColorRow::resetAsked, this, [this, text, get, put] {
+        editAppearance(text, [&](Appearance& a) { put(a, get(Appearance{})); });
     });
     return row;
 }
@@ -128,23 +131,25 @@ void AppearancePanel::addTextureGroup() {
         const QString label = tr("Texture %1").arg(i + 1);
         auto* row = new FileRow(label, tr("PNG or JPEG, u_texture_%1 of the shaders.").arg(i + 1),
                                 tr("texture_%1.png (built in)").arg(i + 1), FileRow::Kind::Picture);
-        const auto set = [this, i, label](const QString& path) {
-            editAppearance(tr("change %1").arg(label), [&](Appearance& a) { a.textures[i] = path.toStdString(); });
+        const auto choose = [this, i, label](const QString& path) {
+            editAppearance(tr("change %1").arg(label),
+                           [&](Appearance& a) { a.textures[i] = path.toStdString(); });
         };
-        connect(row, &FileRow::chosen, this, set);
-        connect(row, &FileRow::resetAsked, this, [set] { set({}); });
+        connect(row, &FileRow::chosen, this, choose);
+        connect(row, &FileRow::resetAsked, this, [choose] { choose({}); });
         group->contentLayout()->addWidget(row);
         m_textures[i] = row;
     }
-    m_cubemap = new FileRow(tr("Cube map"),
-                            tr("A folder with posx, negx, posy, negy, posz and negz, each .png or .jpg: what is all "
-                               "around, u_texture_cubemap of the shaders."),
-                            tr("Studio (built in)"), FileRow::Kind::Folder);
-    const auto set = [this](const QString& path) {
+    m_cubemap =
+        new FileRow(tr("Cube map"),
+                    tr("A folder with posx, negx, posy, negy, posz and negz, each .png or .jpg: what is all "
+                       "around, u_texture_cubemap of the shaders."),
+                    tr("Studio (built in)"), FileRow::Kind::Folder);
+    const auto choose = [this](const QString& path) {
         editAppearance(tr("change the cube map"), [&](Appearance& a) { a.cubemap = path.toStdString(); });
     };
-    connect(m_cubemap, &FileRow::chosen, this, set);
-    connect(m_cubemap, &FileRow::resetAsked, this, [set] { set({}); });
+    connect(m_cubemap, &FileRow::chosen, this, choose);
+    connect(m_cubemap, &FileRow::resetAsked, this, [choose] { choose({}); });
     group->contentLayout()->addWidget(m_cubemap);
     add(*group, {"appearance.normal_scaling", "appearance.height_scaling"});
 }
@@ -152,8 +157,8 @@ void AppearancePanel::addTextureGroup() {
 void AppearancePanel::addLightGroup() {
     addGroup(tr("Light"),
              {"appearance.light_position[0]", "appearance.light_position[1]", "appearance.light_position[2]",
-              "appearance.light_intensity[0]", "appearance.light_intensity[1]", "appearance.light_intensity[2]",
-              "appearance.shadows"},
+              "appearance.light_intensity[0]", "appearance.light_intensity[1]",
+              "appearance.light_intensity[2]", "appearance.shadows"},
              true);
 }
 
@@ -170,7 +175,8 @@ void AppearancePanel::addStrainGroup() {
 void AppearancePanel::addViewGroup() {
     FoldableGroup* group = addGroup(tr("View"), {}, true);
     m_background = makeColorRow(
-        tr("Background"), tr("Colour behind the scene."), tr("Dark"), [](const Appearance& a) { return a.background; },
+        tr("Background"), tr("Colour behind the scene."), tr("Dark"),
+        [](const Appearance& a) { return a.background; },
         [](Appearance& a, const std::optional<Rgb>& rgb) { a.background = rgb; });
     group->contentLayout()->addWidget(m_background);
     add(*group, {"appearance.ground_grid", "appearance.axes"});
@@ -180,7 +186,8 @@ void AppearancePanel::addViewGroup() {
     m_samples->setAccessibleName(tr("Antialiasing"));
     m_samples->setToolTip(parameterToolTip(*findParameter("appearance.samples")));
     for (const int count : kSampleCounts)
-        m_samples->addItem(count == 1 ? tr("No antialiasing") : tr("Antialiasing, %1 samples").arg(count), count);
+        m_samples->addItem(count == 1 ? tr("No antialiasing") : tr("Antialiasing, %1 samples").arg(count),
+                           count);
     connect(m_samples, &QComboBox::activated, this, [this](int index) {
         const int count = m_samples->itemData(index).toInt();
         editAppearance(tr("change antialiasing"), [&](Appearance& a) { a.samples = count; });
@@ -217,7 +224,9 @@ void AppearancePanel::showScene() {
     const Appearance& appearance = document().scene().appearance;
     showShader(*m_shader, m_shaders, QString::fromStdString(appearance.shader));
     m_color->setColor(toQt(appearance.color), appearance.color == Appearance{}.color);
-    const auto optional = [](const std::optional<Rgb>& rgb) { return rgb ? std::optional(toQt(*rgb)) : std::nullopt; };
+    const auto optional = [](const std::optional<Rgb>& rgb) {
+        return rgb ? std::optional(toQt(*rgb)) : std::nullopt;
+    };
     m_backColor->setColor(optional(appearance.backColor), !appearance.backColor);
     m_background->setColor(optional(appearance.background), !appearance.background);
     for (std::size_t i = 0; i < m_textures.size(); ++i)

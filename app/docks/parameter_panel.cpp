@@ -60,7 +60,8 @@ ParameterPanel::ParameterPanel(Document& document, QWidget* parent) : QWidget(pa
     connect(&document, &Document::sceneReplaced, this, [this] { showScene(); });
 }
 
-FoldableGroup* ParameterPanel::addGroup(const QString& title, std::initializer_list<const char*> ids, bool folded) {
+FoldableGroup* ParameterPanel::addGroup(const QString& title, std::initializer_list<const char*> ids,
+                                        bool folded) {
     auto* group = new FoldableGroup(title);
     add(*group, ids);
     group->setFolded(folded);
@@ -80,7 +81,7 @@ QWidget* ParameterPanel::makeRow(const Parameter& parameter) {
     auto* row = new ParameterRow(specOf(parameter));
     row->setObjectName(toQString(parameter.id));
     connect(row, &ParameterRow::edited, this, [this, &parameter](double value, int gesture) {
-        set(parameter, value * parameter.panelDivisor, gesture);
+        setParameter(parameter, value * parameter.panelDivisor, gesture);
     });
     connect(row, &ParameterRow::rejected, this, &ParameterPanel::rejected);
     m_rows.insert(toQString(parameter.id), row);
@@ -92,13 +93,16 @@ QWidget* ParameterPanel::makeCheckBox(const Parameter& parameter) {
     box->setObjectName(toQString(parameter.id));
     box->setToolTip(parameterToolTip(parameter));
     connect(box, &QCheckBox::clicked, this,
-            [this, &parameter](bool checked) { set(parameter, checked ? 1 : 0, 0); });
+            [this, &parameter](bool checked) { setParameter(parameter, checked ? 1 : 0, 0); });
     m_checkBoxes.insert(toQString(parameter.id), box);
     return box;
 }
 
-void ParameterPanel::set(const Parameter& parameter, double value, int gesture) {
-    const double inRange = std::clamp(value, parameter.minimum, parameter.maximum);
+void ParameterPanel::setParameter(const Parameter& parameter, double value, int gesture) {
+    double inRange = std::clamp(value, parameter.minimum, parameter.maximum);
+    // A slider passes over what lies between zero and the least.
+    if (inRange > 0 && inRange < parameter.leastButZero)
+        inRange = 2 * inRange < parameter.leastButZero ? 0 : parameter.leastButZero;
     if (const auto problem = m_document.setParameter(parameter, inRange, gesture)) {
         emit rejected(*problem);
         showScene();

@@ -27,7 +27,8 @@ signals:
 protected:
     explicit ParameterPanel(Document& document, QWidget* parent);
 
-    FoldableGroup* addGroup(const QString& title, std::initializer_list<const char*> ids, bool folded = false);
+    FoldableGroup* addGroup(const QString& title, std::initializer_list<const char*> ids,
+                            bool folded = false);
     void add(FoldableGroup& group, std::initializer_list<const char*> ids);
 
     // One column of labels at least that wide, and one of fields.
@@ -42,7 +43,7 @@ protected:
 private:
     QWidget* makeRow(const Parameter& parameter);
     QWidget* makeCheckBox(const Parameter& parameter);
-    void set(const Parameter& parameter, double value, int gesture);
+    void setParameter(const Parameter& parameter, double value, int gesture);
 
     Document& m_document;
     QHash<QString, ParameterRow*> m_rows;

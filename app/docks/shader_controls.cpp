@@ -1,7 +1,7 @@
 #include "app/docks/shader_controls.h"
 
 #include "app/docks/parameter_panel.h"
-#include "app/viewport/scene_frame.h"
+#include "app/picture/scene_frame.h"
 #include "app/widgets/button_row.h"
 #include "app/widgets/check_box.h"
 #include "app/widgets/parameter_row.h"
@@ -23,8 +23,9 @@ QString toolTipOf(const UniformSpec& spec) {
     if (!spec.help.isEmpty())
         text += QStringLiteral("<br>%1").arg(spec.help.toHtmlEscaped());
     if (spec.range)
-        text += QStringLiteral("<br>") +
-                ShaderControls::tr("From %1 to %2").arg(double((*spec.range)[0])).arg(double((*spec.range)[1]));
+        text +=
+            QStringLiteral("<br>") +
+            ShaderControls::tr("From %1 to %2").arg(double((*spec.range)[0])).arg(double((*spec.range)[1]));
     return text;
 }
 
@@ -118,9 +119,10 @@ ShaderControls::Show ShaderControls::addNumber(const UniformSpec& spec, std::siz
     static const char* const letters = "xyzw";
     ParameterSpec row;
     const bool single = spec.initial.components == 1;
-    row.label = single        ? spec.label
-                : spec.color  ? tr("%1, opacity").arg(spec.label)
-                              : QStringLiteral("%1 %2").arg(spec.label, QString(QLatin1Char(letters[component])));
+    row.label = single ? spec.label
+                : spec.color
+                    ? tr("%1, opacity").arg(spec.label)
+                    : QStringLiteral("%1 %2").arg(spec.label, QString(QLatin1Char(letters[component])));
     row.toolTip = toolTipOf(spec);
     row.defaultValue = asWritten(spec.initial.numbers[component]);
     row.integer = spec.type == UniformSpec::Type::Int;
@@ -133,7 +135,8 @@ ShaderControls::Show ShaderControls::addNumber(const UniformSpec& spec, std::siz
         row.minimum = -row.maximum;
     }
     auto* widget = new ParameterRow(row);
-    widget->setObjectName(single ? spec.name : spec.name + QLatin1Char('.') + QLatin1Char(letters[component]));
+    widget->setObjectName(single ? spec.name
+                                 : spec.name + QLatin1Char('.') + QLatin1Char(letters[component]));
     widget->setFieldWidth(fieldWidth(*this));
     connect(widget, &ParameterRow::rejected, this, &ShaderControls::rejected);
     connect(widget, &ParameterRow::edited, this, [this, spec, component](double value, int gesture) {

@@ -14,9 +14,9 @@ class QVBoxLayout;
 
 namespace clothlab {
 
-// One control a uniform: a number field with a slider for a float or an int, a box for a bool, a field for each
-// component of a vector, a colour, a file for a sampler. Values are kept in the scene by the shader's name; those at
-// their default are not.
+// One control a uniform: a number field with a slider for a float or an int, a box for a bool, a field for
+// each component of a vector, a colour, a file for a sampler. Values are kept in the scene by the shader's
+// name; those at their default are not.
 class ShaderControls : public QWidget {
     Q_OBJECT
 

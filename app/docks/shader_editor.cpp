@@ -32,14 +32,17 @@ ShaderEditor::ShaderEditor(QWidget* parent)
     layout->addLayout(bar);
     layout->addWidget(m_edit, 1);
     m_edit->setAccessibleName(tr("Text of the shader"));
-    m_edit->setPlaceholderText(tr("No shader is open. Choose one in Appearance and press Edit there, or click the place "
-                                  "of an error in Output."));
-    m_elsewhere->setToolTip(tr("Open the file in the program that the system has for it; what is saved there is drawn "
-                               "here at once"));
+    m_edit->setPlaceholderText(
+        tr("No shader is open. Choose one in Appearance and press Edit there, or click the place "
+           "of an error in Output."));
+    m_elsewhere->setToolTip(
+        tr("Open the file in the program that the system has for it; what is saved there is drawn "
+           "here at once"));
     connect(m_save, &QPushButton::clicked, this, &ShaderEditor::save);
     connect(m_edit, &CodeEdit::saveAsked, this, &ShaderEditor::save);
     connect(m_revert, &QPushButton::clicked, this, &ShaderEditor::revert);
     connect(m_elsewhere, &QPushButton::clicked, this, &ShaderEditor::openElsewhere);
+    setFocusProxy(m_edit);
     connect(m_edit->document(), &QTextDocument::modificationChanged, this, &ShaderEditor::updateState);
     updateState();
 }
@@ -48,8 +51,9 @@ bool ShaderEditor::open(const QString& path, int line) {
     const QString absolute = QFileInfo(path).absoluteFilePath();
     if (absolute != m_path) {
         if (isModified()) {
-            emit problem(tr("%1 has changes that are not saved. Save or revert them in the panel Shader first.")
-                             .arg(QFileInfo(m_path).fileName()));
+            emit problem(
+                tr("%1 has changes that are not saved. Save or revert them in the panel Shader first.")
+                    .arg(QFileInfo(m_path).fileName()));
             return false;
         }
         m_path = absolute;
@@ -111,7 +115,8 @@ void ShaderEditor::fileMayHaveChanged() {
     if (!isModified())
         revert();
     else
-        emit notice(tr("%1 was changed on disk, too; Revert shows what is there now.").arg(QFileInfo(m_path).fileName()));
+        emit notice(tr("%1 was changed on disk, too; Revert shows what is there now.")
+                        .arg(QFileInfo(m_path).fileName()));
 }
 
 void ShaderEditor::openElsewhere() {

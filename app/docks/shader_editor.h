@@ -19,8 +19,8 @@ class ShaderEditor : public QWidget {
 public:
     explicit ShaderEditor(QWidget* parent = nullptr);
 
-    // What was changed and not saved stays: then the file is opened only once it is saved or dropped, and false is
-    // returned. line 0: where the cursor was.
+    // What was changed and not saved stays: then the file is opened only once it is saved or dropped, and
+    // false is returned. line 0: where the cursor was.
     bool open(const QString& path, int line);
     bool save(); // false if it could not be written, which is told
     void revert();

@@ -49,6 +49,16 @@ SpringsPanel::SpringsPanel(Document& document, QWidget* parent) : QWidget(parent
         m_document.edit(tr("change springs over the surface"), std::move(after));
     });
     layout->addWidget(m_overSurface, row++, 0, 1, 2);
+    m_byStrain = new CheckBox(tr("Colour by strain"));
+    m_byStrain->setObjectName("colorByStrain");
+    m_byStrain->setToolTip(
+        tr("Colour each spring by how far it is stretched or compressed, instead of by its type."));
+    connect(m_byStrain, &QCheckBox::clicked, this, [this](bool checked) {
+        Scene after = m_document.scene();
+        after.appearance.springColoring = checked ? SpringColoring::ByStrain : SpringColoring::ByType;
+        m_document.edit(tr("change the colours of springs"), std::move(after));
+    });
+    layout->addWidget(m_byStrain, row++, 0, 1, 2);
     layout->setRowStretch(row, 1);
 
     colorBoxes();
@@ -86,6 +96,7 @@ void SpringsPanel::showScene() {
         m_counts[std::size_t(type)]->setText(groupedNumber(m_document.grid().springCount(type)));
     }
     m_overSurface->setChecked(appearance.springsOverSurface);
+    m_byStrain->setChecked(appearance.springColoring == SpringColoring::ByStrain);
     m_total->setText(groupedNumber(m_document.grid().springCount()));
 }
 

@@ -31,6 +31,7 @@ private:
     std::array<QCheckBox*, kSpringTypes> m_types{};
     std::array<QLabel*, kSpringTypes> m_counts{};
     QCheckBox* m_overSurface = nullptr;
+    QCheckBox* m_byStrain = nullptr;
     QLabel* m_total = nullptr;
 };
 

@@ -11,17 +11,16 @@ void MultisampleTarget::begin(Gl& gl, QSize size, int samples) {
     // A framebuffer that has samples itself can't be brought a picture of another number of them.
     GLint outerSamples = 0;
     gl.glGetIntegerv(GL_SAMPLES, &outerSamples);
-    m_active = samples > 1 && outerSamples <= 1;
-    if (!m_active)
+    m_active = false;
+    if (samples <= 1 || outerSamples > 1)
         return;
     gl.glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &m_outer);
     if (size != m_size || samples != m_samples)
         resize(gl, size, samples);
     gl.glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer);
-    if (gl.glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE)
-        return;
-    gl.glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(m_outer));
-    m_active = false;
+    m_active = gl.glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+    if (!m_active)
+        gl.glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(m_outer));
 }
 
 void MultisampleTarget::resize(Gl& gl, QSize size, int samples) {

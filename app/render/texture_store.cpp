@@ -35,12 +35,16 @@ void setFilters(Gl& gl, GLenum target, GLint wrap) {
     gl.glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
         gl.glTexParameteri(target, axis, wrap);
+}
+
+// For planes seen at a low angle. Cube maps are looked at straight.
+void setAnisotropy(Gl& gl) {
     const QOpenGLContext* context = QOpenGLContext::currentContext();
     if (!context || !context->hasExtension("GL_EXT_texture_filter_anisotropic"))
         return;
     GLfloat greatest = 1;
     gl.glGetFloatv(kGreatestMaxAnisotropy, &greatest);
-    gl.glTexParameterf(target, kMaxAnisotropy, std::min(greatest, kAnisotropy));
+    gl.glTexParameterf(GL_TEXTURE_2D, kMaxAnisotropy, std::min(greatest, kAnisotropy));
 }
 
 QString faceFile(const QString& folder, const char* face) {
@@ -127,6 +131,7 @@ void TextureStore::loadTexture(Gl& gl, const QString& path, bool srgb, Entry<Tex
     gl.glBindTexture(GL_TEXTURE_2D, entry.value.id);
     uploadImage(gl, GL_TEXTURE_2D, *image, srgb);
     setFilters(gl, GL_TEXTURE_2D, GL_REPEAT);
+    setAnisotropy(gl);
     entry.value.size = QSize(image->width, image->height);
 }
 

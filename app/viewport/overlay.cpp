@@ -1,9 +1,11 @@
 #include "app/viewport/overlay.h"
 
+#include "app/render/strain_colors.h"
 #include "app/widgets/theme.h"
 
 #include <QPainter>
 
+#include <cmath>
 #include <utility>
 
 namespace clothlab {
@@ -24,6 +26,13 @@ void Overlay::setHint(const QString& hint) {
     if (hint == m_hint)
         return;
     m_hint = hint;
+    update();
+}
+
+void Overlay::setLegend(const std::optional<Legend>& legend) {
+    if (legend == m_legend)
+        return;
+    m_legend = legend;
     update();
 }
 
@@ -57,6 +66,52 @@ void Overlay::paintBadges(QPainter& painter) const {
     }
 }
 
+namespace {
+
+// "+2.5 %", with a true minus.
+QString percent(double strain) {
+    const QString number = QString::number(std::abs(100 * strain), 'g', 3);
+    const QChar sign = strain < 0 ? QChar(0x2212) : u'+';
+    return (number == QLatin1String("0") ? number : sign + number) + QStringLiteral(" %");
+}
+
+} // namespace
+
+void Overlay::paintLegend(QPainter& painter) const {
+    const ThemeColors& colors = themeColors(Theme::Dark);
+    const int line = painter.fontMetrics().height();
+    const int barWidth = line;
+    const int barHeight = 10 * line;
+    const int textWidth =
+        painter.fontMetrics().horizontalAdvance(QStringLiteral("%1100.25 %").arg(QChar(0x2212)));
+    const QRect box(width() - (barWidth + textWidth + 3 * line), line, barWidth + textWidth + 2 * line,
+                    barHeight + 6 * line);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(0x18, 0x19, 0x1B, 200));
+    painter.drawRoundedRect(box, 4, 4);
+    painter.setPen(colors.text);
+    painter.drawText(box.adjusted(line / 2, line / 2, 0, 0), Qt::AlignLeft | Qt::AlignTop, tr("Strain"));
+
+    const QRect bar(box.left() + line / 2, box.top() + 2 * line + line / 2, barWidth, barHeight);
+    QLinearGradient gradient(bar.bottomLeft(), bar.topLeft());
+    const auto& stops = render::kStrainColors;
+    for (std::size_t i = 0; i < stops.size(); ++i)
+        gradient.setColorAt(double(i) / double(stops.size() - 1),
+                            QColor::fromRgbF(stops[i].x(), stops[i].y(), stops[i].z()));
+    painter.fillRect(bar, gradient);
+    constexpr int ticks = 4;
+    for (int i = 0; i <= ticks; ++i) {
+        const int y = bar.top() + i * bar.height() / ticks;
+        painter.drawLine(bar.right() + 1, y, bar.right() + 4, y);
+        painter.drawText(QRect(bar.right() + 7, y - line / 2, textWidth + line, line),
+                         Qt::AlignLeft | Qt::AlignVCenter, percent(m_legend->range * (1 - 2.0 * i / ticks)));
+    }
+    painter.setPen(colors.dimText);
+    const QRect below(bar.left(), bar.bottom() + line, box.width() - line, 2 * line + line / 2);
+    painter.drawText(below, Qt::AlignLeft | Qt::AlignTop,
+                     tr("here %1\nto %2").arg(percent(m_legend->least), percent(m_legend->greatest)));
+}
+
 void Overlay::paintPlaceholder(QPainter& painter) const {
     const ThemeColors& colors = themeColors(Theme::Dark);
     painter.fillRect(rect(), colors.window);
@@ -81,6 +136,8 @@ void Overlay::paintEvent(QPaintEvent* /*event*/) {
     if (!m_placeholderTitle.isEmpty())
         paintPlaceholder(painter);
     paintBadges(painter);
+    if (m_legend)
+        paintLegend(painter);
     painter.setPen(colors.dimText);
     painter.drawText(rect().adjusted(8, 8, -8, -8), Qt::AlignHCenter | Qt::AlignBottom, m_hint);
     if (!m_box.isNull()) {

@@ -5,12 +5,13 @@
 #include <QString>
 #include <QWidget>
 
+#include <optional>
 #include <vector>
 
 namespace clothlab {
 
-// Words over the picture: badges top centre, a hint bottom centre, the box of a selection, and what stands in
-// the place of the picture if there is none. Lets every mouse event through.
+// Words over the picture: badges top centre, a legend top right, a hint bottom centre, the box of a
+// selection, and what stands in the place of the picture if there is none. Lets every mouse event through.
 class Overlay : public QWidget {
     Q_OBJECT
 
@@ -21,14 +22,24 @@ public:
         friend bool operator==(const Badge&, const Badge&) = default;
     };
 
+    // Of the colours of strain: the strain at both of their ends, and the least and greatest in the picture.
+    struct Legend {
+        double range = 0;
+        double least = 0;
+        double greatest = 0;
+        friend bool operator==(const Legend&, const Legend&) = default;
+    };
+
     explicit Overlay(QWidget* parent);
 
     void setBadges(std::vector<Badge> badges);
     void setHint(const QString& hint);
-    void setSelectionBox(const QRect& box); // null: none
+    void setLegend(const std::optional<Legend>& legend); // top right; none: no strain is seen
+    void setSelectionBox(const QRect& box);              // null: none
     void setPlaceholder(const QString& title, const QString& reason);
 
     const std::vector<Badge>& badges() const { return m_badges; }
+    const std::optional<Legend>& legend() const { return m_legend; }
     QString placeholder() const { return m_placeholderTitle; }
 
 protected:
@@ -36,10 +47,12 @@ protected:
 
 private:
     void paintBadges(QPainter& painter) const;
+    void paintLegend(QPainter& painter) const;
     void paintPlaceholder(QPainter& painter) const;
 
     std::vector<Badge> m_badges;
     QString m_hint;
+    std::optional<Legend> m_legend;
     QRect m_box;
     QString m_placeholderTitle, m_placeholderReason;
 };

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/document/selection.h"
-#include "app/viewport/camera.h"
+#include "app/picture/camera.h"
 #include "simcore/cloth/cloth_state.h"
 
 #include <array>

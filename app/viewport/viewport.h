@@ -5,7 +5,7 @@
 #include "app/render/problem.h"
 #include "app/render/render_frame.h"
 #include "app/simulation/simulation.h"
-#include "app/viewport/camera.h"
+#include "app/picture/camera.h"
 #include "app/viewport/overlay.h"
 
 #include <QWidget>
@@ -32,7 +32,8 @@ public:
     std::optional<Selection::Item> itemAt(QPointF position) const;
     QPointF positionOf(int point) const;
 
-    const render::RenderFrame& renderFrame(); // of what is shown now
+    const render::RenderFrame& renderFrame();   // of what is shown now
+    render::RenderFrame frameFor(QSize pixels); // the same for a picture of that size
     const render::Problems& problems() const { return m_problems; }
 
 public slots:
@@ -70,6 +71,7 @@ private:
     void updateHint();
     void buildFrame();
     void buildHighlight();
+    void updateLegend();
     void select(std::optional<Selection::Item> item, Qt::KeyboardModifiers modifiers);
     void selectBox(Qt::KeyboardModifiers modifiers);
     void frameBox(const std::vector<int>& points);

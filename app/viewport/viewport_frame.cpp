@@ -1,6 +1,8 @@
 // The part of the viewport that turns document, simulation and camera into what the renderer draws.
-#include "app/viewport/scene_frame.h"
+#include "app/picture/scene_frame.h"
 #include "app/viewport/viewport.h"
+
+#include <algorithm>
 
 namespace clothlab {
 namespace {
@@ -18,6 +20,14 @@ const render::RenderFrame& Viewport::renderFrame() {
     return m_frame;
 }
 
+render::RenderFrame Viewport::frameFor(QSize pixels) {
+    render::RenderFrame frame = renderFrame();
+    frame.viewProjection = m_camera.viewProjection(pixels);
+    // Lines and dots as wide as in the view, for their part of its height.
+    frame.devicePixelRatio = std::max(1.0F, float(pixels.height()) / float(std::max(height(), 1)));
+    return frame;
+}
+
 void Viewport::buildFrame() {
     const Scene& scene = m_document.scene();
     m_frame.viewProjection = m_camera.viewProjection(size());
@@ -30,6 +40,15 @@ void Viewport::buildFrame() {
         fillSheet(scene, m_simulation.sheet(), m_simulation.shownFrame()->state.position, m_frame);
     m_lookIsCurrent = m_positionsAreCurrent = true;
     buildHighlight();
+    updateLegend();
+}
+
+void Viewport::updateLegend() {
+    const std::vector<float>& strains = m_frame.sheet.strains;
+    if (strains.empty())
+        return m_overlay->setLegend(std::nullopt);
+    const auto [least, greatest] = std::minmax_element(strains.begin(), strains.end());
+    m_overlay->setLegend(Overlay::Legend{m_frame.strainRange, *least, *greatest});
 }
 
 void Viewport::buildHighlight() {

@@ -27,8 +27,8 @@ QPixmap swatch(const QColor& color) {
 } // namespace
 
 ButtonRow::ButtonRow(const QString& label, const QString& toolTip, QWidget* parent)
-    : QWidget(parent), m_labelText(label), m_label(new DragLabel(label, this)), m_button(new QToolButton(this)),
-      m_reset(new QToolButton(this)) {
+    : QWidget(parent), m_labelText(label), m_label(new DragLabel(label, this)),
+      m_button(new QToolButton(this)), m_reset(new QToolButton(this)) {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(5);
@@ -51,7 +51,8 @@ ButtonRow::ButtonRow(const QString& label, const QString& toolTip, QWidget* pare
     m_reset->setFixedWidth(22);
     for (QToolButton* each : {m_button, m_reset})
         each->setFocusPolicy(Qt::TabFocus);
-    for (QWidget* each : {static_cast<QWidget*>(this), static_cast<QWidget*>(m_label), static_cast<QWidget*>(m_button)})
+    for (QWidget* each :
+         {static_cast<QWidget*>(this), static_cast<QWidget*>(m_label), static_cast<QWidget*>(m_button)})
         each->setToolTip(toolTip);
     connect(m_reset, &QToolButton::clicked, this, &ButtonRow::resetAsked);
 }
@@ -112,7 +113,8 @@ void ColorRow::choose() {
     m_dialog->raise();
 }
 
-FileRow::FileRow(const QString& label, const QString& toolTip, const QString& byDefault, Kind kind, QWidget* parent)
+FileRow::FileRow(const QString& label, const QString& toolTip, const QString& byDefault, Kind kind,
+                 QWidget* parent)
     : ButtonRow(label, toolTip, parent), m_byDefault(byDefault), m_kind(kind) {
     button()->setIcon(themedIcon("folder"));
     connect(button(), &QToolButton::clicked, this, &FileRow::choose);
@@ -131,10 +133,11 @@ void FileRow::refresh() {
 
 void FileRow::choose() {
     const QString start = m_path.isEmpty() ? m_folder : m_path;
-    const QString path = m_kind == Kind::Folder
-                             ? QFileDialog::getExistingDirectory(this, button()->accessibleName(), start)
-                             : QFileDialog::getOpenFileName(this, button()->accessibleName(), start,
-                                                            tr("Pictures (*.png *.jpg *.jpeg);;All files (*)"));
+    const QString path =
+        m_kind == Kind::Folder
+            ? QFileDialog::getExistingDirectory(this, button()->accessibleName(), start)
+            : QFileDialog::getOpenFileName(this, button()->accessibleName(), start,
+                                           tr("Pictures (*.png *.jpg *.jpeg);;All files (*)"));
     if (!path.isEmpty())
         emit chosen(path);
 }

@@ -14,8 +14,8 @@ namespace clothlab {
 
 class DragLabel;
 
-// Label, a button that says what is chosen, and one that goes back to the default. Beside ParameterRows its labels
-// stand in one column with theirs.
+// Label, a button that says what is chosen, and one that goes back to the default. Beside ParameterRows its
+// labels stand in one column with theirs.
 class ButtonRow : public QWidget {
     Q_OBJECT
 
@@ -46,8 +46,10 @@ class ColorRow : public ButtonRow {
     Q_OBJECT
 
 public:
-    // byDefault: in words, what is shown without a colour; empty if there always is one, which cannot be reset.
-    ColorRow(const QString& label, const QString& toolTip, const QString& byDefault, QWidget* parent = nullptr);
+    // byDefault: in words, what is shown without a colour; empty if there always is one, which cannot be
+    // reset.
+    ColorRow(const QString& label, const QString& toolTip, const QString& byDefault,
+             QWidget* parent = nullptr);
 
     // Emits nothing.
     void setColor(const std::optional<QColor>& color, bool isDefault);

@@ -100,7 +100,8 @@ void CodeEdit::paintMargin(QPaintEvent* event) {
 
 bool CodeEdit::event(QEvent* event) {
     // Before the window's own key of that name.
-    if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->matches(QKeySequence::Save)) {
+    if (event->type() == QEvent::ShortcutOverride &&
+        static_cast<QKeyEvent*>(event)->matches(QKeySequence::Save)) {
         event->accept();
         return true;
     }

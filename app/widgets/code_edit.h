@@ -12,8 +12,8 @@ class CodeEdit : public QPlainTextEdit {
 public:
     explicit CodeEdit(QWidget* parent = nullptr);
 
-    void goToLine(int line);                // from 1
-    void setMarkedLines(QList<int> lines);  // from 1: those with an error
+    void goToLine(int line);               // from 1
+    void setMarkedLines(QList<int> lines); // from 1: those with an error
     const QList<int>& markedLines() const { return m_marked; }
 
 signals:

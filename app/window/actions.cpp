@@ -44,6 +44,8 @@ void Actions::addFileActions() {
         add("saveAs", tr("Save &As…"), "save-as", {QKeySequence("Ctrl+Shift+S")}, tr("Save the scene as"));
     screenshot = add("screenshot", tr("Save a &Picture of the Window…"), "screenshot", {QKeySequence("F12")},
                      tr("Save a picture of the window"));
+    picture = add("picture", tr("Save a Picture of the &View…"), {}, {QKeySequence("Shift+F12")},
+                  tr("Save a picture of the view in any size"));
     quit = add("quit", tr("&Quit"), {}, {QKeySequence("Ctrl+Q")}, tr("Quit ClothLab"));
 }
 
@@ -94,9 +96,11 @@ void Actions::addViewActions() {
     hidePanels->setToolTip(tr("Hide or show all panels (Tab in the view)"));
     resetLayout = add("resetLayout", tr("&Reset Layout"), {}, {}, tr("Put every panel back in its place"));
     auto* themes = new QActionGroup(this);
+    systemTheme = add("systemTheme", tr("Theme of the S&ystem"), {}, {},
+                      tr("Dark or light panels as the system has them; dark where it does not say"));
     darkTheme = add("darkTheme", tr("&Dark Theme"), {}, {}, tr("Dark panels"));
     lightTheme = add("lightTheme", tr("&Light Theme"), {}, {}, tr("Light panels"));
-    for (QAction* theme : {darkTheme, lightTheme}) {
+    for (QAction* theme : {systemTheme, darkTheme, lightTheme}) {
         theme->setCheckable(true);
         themes->addAction(theme);
     }
@@ -106,6 +110,10 @@ void Actions::addOtherActions() {
     boxSelect = add("boxSelect", tr("Select in a &Box"), "select", {QKeySequence("B")},
                     tr("Then drag a box around points; Shift adds, Ctrl removes"));
     clearSelection = add("clearSelection", tr("Select &Nothing"), {}, {}, tr("Select nothing"));
+    editShader = add("editShader", tr("&Edit the Shader"), "shaded", {QKeySequence("Ctrl+E")},
+                     tr("Open the file of the shader that is drawn"));
+    reloadShaders = add("reloadShaders", tr("&Reload Shaders and Textures"), {}, {QKeySequence("F5")},
+                        tr("Read the files of shaders and textures again"));
     keys = add("keys", tr("&Keys and Mouse"), "help", {QKeySequence("F1"), QKeySequence("?")},
                tr("List every key and what the mouse does"));
     about = add("about", tr("&About ClothLab"), {}, {}, tr("What ClothLab is, and its version"));

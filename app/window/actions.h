@@ -18,6 +18,7 @@ public:
     QAction* save = nullptr;
     QAction* saveAs = nullptr;
     QAction* screenshot = nullptr;
+    QAction* picture = nullptr;
     QAction* quit = nullptr;
 
     QAction* playPause = nullptr;
@@ -44,11 +45,14 @@ public:
     QAction* fullScreen = nullptr;
     QAction* hidePanels = nullptr;
     QAction* resetLayout = nullptr;
+    QAction* systemTheme = nullptr;
     QAction* darkTheme = nullptr;
     QAction* lightTheme = nullptr;
 
     QAction* boxSelect = nullptr;
     QAction* clearSelection = nullptr;
+    QAction* editShader = nullptr;
+    QAction* reloadShaders = nullptr;
 
     QAction* keys = nullptr;
     QAction* about = nullptr;

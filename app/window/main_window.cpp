@@ -3,16 +3,18 @@
 #include "app/docks/appearance_panel.h"
 #include "app/docks/inspector_panel.h"
 #include "app/docks/output_panel.h"
+#include "app/docks/shader_editor.h"
 #include "app/docks/simulation_panel.h"
 #include "app/docks/springs_panel.h"
 #include "app/docks/timeline_panel.h"
 #include "app/document/data_files.h"
-#include "app/render/renderer.h"
+#include "app/render/shader_folder.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/icons.h"
 #include "app/window/actions.h"
 #include "app/window/file_controller.h"
 #include "app/window/message_bar.h"
+#include "app/window/system_theme.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -26,19 +28,20 @@
 
 namespace clothlab {
 
-MainWindow::MainWindow(std::unique_ptr<QSettings> settings, QWidget* parent)
+MainWindow::MainWindow(std::unique_ptr<QSettings> settings, const QString& shaderDirectory, QWidget* parent)
     : QMainWindow(parent), m_settings(std::move(settings)), m_simulation(m_document),
       m_actions(new Actions(*this)), m_files(new FileController(m_document, *m_settings, *this)),
-      m_messageBar(new MessageBar), m_viewport(new Viewport(m_document, m_simulation)) {
+      m_messageBar(new MessageBar), m_viewport(new Viewport(m_document, m_simulation)),
+      m_shaderFolder(new render::ShaderFolder(
+          shaderDirectory.isEmpty() ? dataDirectory("shaders") : shaderDirectory, this)),
+      m_systemTheme(new SystemTheme(this)), m_textureDirectory(dataDirectory("textures")) {
     setObjectName("mainWindow");
     setWindowIcon(themedIcon("cloth-app"));
     setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
     resize(1440, 900);
 
-    const QString shaderDirectory = dataDirectory("shaders");
-    const QStringList shaders = render::listShaders(shaderDirectory);
-    m_viewport->setShaderDirectory(shaderDirectory);
+    m_viewport->setDirectories(m_shaderFolder->path(), m_textureDirectory);
     auto* centre = new QWidget;
     auto* layout = new QVBoxLayout(centre);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -47,18 +50,20 @@ MainWindow::MainWindow(std::unique_ptr<QSettings> settings, QWidget* parent)
     layout->addWidget(m_viewport, 1);
     setCentralWidget(centre);
 
-    makePanels(shaders);
-    makeToolBar(shaders);
+    makePanels();
+    makeToolBar();
     makeMenus();
     makeStatusBar();
     connectFileActions();
     connectSimulationActions();
     connectViewActions();
+    connectShaders();
     connectMessages();
     updateTitle();
     updateTransport();
     updateAppearanceControls();
-    setTheme(m_settings->value("theme").toString() == "light" ? Theme::Light : Theme::Dark);
+    connect(m_systemTheme, &SystemTheme::changed, this, &MainWindow::applyChosenTheme);
+    applyChosenTheme();
     m_viewport->setFocus();
 }
 
@@ -109,10 +114,11 @@ void MainWindow::connectMessages() {
     });
     connect(m_simulationPanel, &SimulationPanel::rejected, this, &MainWindow::say);
     connect(m_timelinePanel, &TimelinePanel::rejected, this, &MainWindow::say);
-    connect(m_viewport, &Viewport::shaderMessages, this, [this](const QStringList& messages) {
-        if (!messages.isEmpty())
-            showProblem(messages.join('\n'));
-    });
+    connect(m_appearancePanel, &AppearancePanel::rejected, this, &MainWindow::say);
+    connect(m_viewport, &Viewport::problemsChanged, this, &MainWindow::tellProblems);
+    connect(m_outputPanel, &OutputPanel::openAsked, this, &MainWindow::openShader);
+    connect(m_shaderEditor, &ShaderEditor::problem, this, &MainWindow::showProblem);
+    connect(m_shaderEditor, &ShaderEditor::notice, this, &MainWindow::say);
     // What an undo or redo did.
     connect(&m_document.undoStack(), &QUndoStack::indexChanged, this, [this, before = 0](int index) mutable {
         if (index < before)
@@ -164,7 +170,7 @@ void MainWindow::updateTransport() {
 
 void MainWindow::updateAppearanceControls() {
     const Appearance& appearance = m_document.scene().appearance;
-    showShader(*m_shaderSelector, QString::fromStdString(appearance.shader));
+    showShader(*m_shaderSelector, m_shaderFolder->names(), QString::fromStdString(appearance.shader));
     const bool visible = appearance.shader == "Wireframe" || appearance.springsOverSurface;
     for (int type = 0; type < kSpringTypes; ++type) {
         QAction* action = m_springActions[std::size_t(type)];
@@ -182,7 +188,7 @@ std::optional<QString> MainWindow::savePicture(const QString& path) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!m_files->mayDiscard()) {
+    if (!m_files->mayDiscard() || !mayDropShaderText()) {
         event->ignore();
         return;
     }

@@ -16,14 +16,21 @@ class QDockWidget;
 
 namespace clothlab {
 
+namespace render {
+class ShaderFolder;
+}
+
 class Actions;
 class AppearancePanel;
 class FileController;
 class InspectorPanel;
 class MessageBar;
 class OutputPanel;
+class PictureDialog;
+class ShaderEditor;
 class SimulationPanel;
 class SpringsPanel;
+class SystemTheme;
 class TimelinePanel;
 class Viewport;
 
@@ -32,7 +39,9 @@ class MainWindow : public QMainWindow {
 
 public:
     // Layout, theme and recent files are read from and kept in `settings`.
-    explicit MainWindow(std::unique_ptr<QSettings> settings, QWidget* parent = nullptr);
+    // shaderDirectory: empty for that which comes with the program.
+    explicit MainWindow(std::unique_ptr<QSettings> settings, const QString& shaderDirectory = {},
+                        QWidget* parent = nullptr);
     ~MainWindow() override;
 
     Document& document() { return m_document; }
@@ -47,9 +56,11 @@ public:
     InspectorPanel& inspectorPanel() { return *m_inspectorPanel; }
     TimelinePanel& timelinePanel() { return *m_timelinePanel; }
     OutputPanel& outputPanel() { return *m_outputPanel; }
+    ShaderEditor& shaderEditor() { return *m_shaderEditor; }
+    render::ShaderFolder& shaderFolder() { return *m_shaderFolder; }
     QDockWidget* dock(const QString& name) const;
 
-    void setTheme(Theme theme);
+    void setTheme(std::optional<Theme> theme); // none: that of the system, dark if it has no preference
     void resetLayout();
 
     // Writes a PNG of the window as it is, whole or not at all. Returns what went wrong, in words.
@@ -66,15 +77,16 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
-    void makePanels(const QStringList& shaders);
+    void makePanels();
     QDockWidget* addDock(const QString& name, const QString& title, QWidget* panel, Qt::DockWidgetArea area,
                          bool scrolls);
     void makeMenus();
-    void makeToolBar(const QStringList& shaders);
+    void makeToolBar();
     void makeStatusBar();
     void connectFileActions();
     void connectSimulationActions();
     void connectViewActions();
+    void connectShaders();
     void connectMessages();
 
     void arrangeDocks();
@@ -86,6 +98,11 @@ private:
     void updateAppearanceControls();
     void keepView();
     void choosePicture();
+    void showPictureDialog();
+    void openShader(const QString& path, int line);
+    void tellProblems();
+    void applyChosenTheme();
+    bool mayDropShaderText();
     void showKeys();
     void showAbout();
 
@@ -102,6 +119,11 @@ private:
     InspectorPanel* m_inspectorPanel = nullptr;
     TimelinePanel* m_timelinePanel = nullptr;
     OutputPanel* m_outputPanel = nullptr;
+    ShaderEditor* m_shaderEditor = nullptr;
+    render::ShaderFolder* m_shaderFolder;
+    SystemTheme* m_systemTheme;
+    QString m_textureDirectory;
+    PictureDialog* m_pictureDialog = nullptr;
     QComboBox* m_shaderSelector = nullptr;
     std::array<QAction*, kSpringTypes> m_springActions{};
     QByteArray m_defaultState;

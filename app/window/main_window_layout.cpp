@@ -2,6 +2,7 @@
 #include "app/docks/appearance_panel.h"
 #include "app/docks/inspector_panel.h"
 #include "app/docks/output_panel.h"
+#include "app/docks/shader_editor.h"
 #include "app/docks/simulation_panel.h"
 #include "app/docks/springs_panel.h"
 #include "app/docks/text.h"
@@ -12,6 +13,7 @@
 #include "app/window/file_controller.h"
 #include "app/window/main_window.h"
 #include "app/window/status_line.h"
+#include "app/window/system_theme.h"
 
 #include <QApplication>
 #include <QComboBox>
@@ -28,13 +30,13 @@
 namespace clothlab {
 namespace {
 
-constexpr int kLayoutVersion = 1; // of saveState(); another number forgets what was kept
+constexpr int kLayoutVersion = 2; // of saveState(); another number forgets what was kept
 
 } // namespace
 
-void MainWindow::makePanels(const QStringList& shaders) {
+void MainWindow::makePanels() {
     m_springsPanel = new SpringsPanel(m_document);
-    m_appearancePanel = new AppearancePanel(m_document, shaders);
+    m_appearancePanel = new AppearancePanel(m_document, m_simulation);
     m_inspectorPanel = new InspectorPanel(m_document, m_simulation);
     m_simulationPanel = new SimulationPanel(m_document);
     m_timelinePanel = new TimelinePanel(m_document, m_simulation,
@@ -42,16 +44,19 @@ void MainWindow::makePanels(const QStringList& shaders) {
                                          m_actions->stepForward, m_actions->lastFrame,
                                          m_actions->simulateFrame, m_actions->restart});
     m_outputPanel = new OutputPanel;
+    m_shaderEditor = new ShaderEditor;
 
     setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
     addDock("springs", tr("Springs"), m_springsPanel, Qt::LeftDockWidgetArea, false);
-    addDock("appearance", tr("Appearance"), m_appearancePanel, Qt::LeftDockWidgetArea, false);
+    addDock("appearance", tr("Appearance"), m_appearancePanel, Qt::LeftDockWidgetArea, true);
     addDock("inspector", tr("Inspector"), m_inspectorPanel, Qt::LeftDockWidgetArea, false);
     addDock("simulation", tr("Simulation"), m_simulationPanel, Qt::RightDockWidgetArea, true);
     addDock("timeline", tr("Timeline"), m_timelinePanel, Qt::BottomDockWidgetArea, false);
     addDock("output", tr("Output"), m_outputPanel, Qt::BottomDockWidgetArea, false);
+    addDock("shader", tr("Shader"), m_shaderEditor, Qt::BottomDockWidgetArea, false);
     tabifyDockWidget(dock("timeline"), dock("output"));
+    tabifyDockWidget(dock("output"), dock("shader"));
     dock("timeline")->raise();
     m_defaultState = saveState(kLayoutVersion);
 }
@@ -82,7 +87,7 @@ void MainWindow::makeMenus() {
     file->addSeparator();
     file->addActions({m_actions->save, m_actions->saveAs});
     file->addSeparator();
-    file->addAction(m_actions->screenshot);
+    file->addActions({m_actions->picture, m_actions->screenshot});
     file->addSeparator();
     file->addAction(m_actions->quit);
 
@@ -96,12 +101,10 @@ void MainWindow::makeMenus() {
                             m_actions->top, m_actions->bottom});
     view->addActions({m_actions->orthographic, m_actions->keepView});
     view->addSeparator();
-    QMenu* panels = view->addMenu(tr("&Panels"));
-    for (const char* name : {"springs", "appearance", "inspector", "simulation", "timeline", "output"})
-        panels->addAction(dock(name)->toggleViewAction());
-    view->addActions({m_actions->hidePanels, m_actions->resetLayout});
     view->addSeparator();
-    view->addActions({m_actions->darkTheme, m_actions->lightTheme, m_actions->fullScreen});
+    view->addActions({m_actions->systemTheme, m_actions->darkTheme, m_actions->lightTheme});
+    view->addSeparator();
+    view->addAction(m_actions->fullScreen);
 
     QMenu* simulation = menuBar()->addMenu(tr("&Simulation"));
     simulation->addActions({m_actions->playPause, m_actions->simulateFrame, m_actions->restart});
@@ -112,13 +115,23 @@ void MainWindow::makeMenus() {
     QMenu* selection = menuBar()->addMenu(tr("Se&lection"));
     selection->addActions({m_actions->boxSelect, m_actions->clearSelection, m_actions->frameSelection});
 
+    QMenu* tools = menuBar()->addMenu(tr("&Tools"));
+    tools->addActions({m_actions->editShader, m_actions->reloadShaders});
+
+    QMenu* panels = menuBar()->addMenu(tr("&Panels"));
+    for (const char* name :
+         {"springs", "appearance", "inspector", "simulation", "timeline", "output", "shader"})
+        panels->addAction(dock(name)->toggleViewAction());
+    panels->addSeparator();
+    panels->addActions({m_actions->hidePanels, m_actions->resetLayout});
+
     QMenu* help = menuBar()->addMenu(tr("&Help"));
     help->addActions({m_actions->keys, m_actions->about});
-    for (QMenu* menu : {file, edit, view, simulation, selection, help})
+    for (QMenu* menu : {file, edit, view, simulation, selection, tools, panels, help})
         menu->setToolTipsVisible(true);
 }
 
-void MainWindow::makeToolBar(const QStringList& shaders) {
+void MainWindow::makeToolBar() {
     QAction* undo = m_document.undoStack().createUndoAction(this, tr("Undo"));
     QAction* redo = m_document.undoStack().createRedoAction(this, tr("Redo"));
     undo->setObjectName("undo");
@@ -146,7 +159,6 @@ void MainWindow::makeToolBar(const QStringList& shaders) {
     m_shaderSelector = new QComboBox;
     m_shaderSelector->setObjectName("shaderSelector");
     m_shaderSelector->setAccessibleName(tr("Shader"));
-    m_shaderSelector->addItems(shaders);
     m_shaderSelector->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_shaderSelector->setToolTip(tr("How the sheet is drawn: the .frag files in the folder of shaders"));
     bar->addWidget(m_shaderSelector);
@@ -218,10 +230,21 @@ void MainWindow::setPanelsHidden(bool hidden) {
     m_actions->hidePanels->setChecked(hidden);
 }
 
-void MainWindow::setTheme(Theme theme) {
+void MainWindow::setTheme(std::optional<Theme> theme) {
+    m_settings->setValue("theme", !theme ? "system" : *theme == Theme::Light ? "light" : "dark");
+    applyChosenTheme();
+}
+
+void MainWindow::applyChosenTheme() {
+    const QString chosen = m_settings->value("theme").toString();
+    Theme theme = m_systemTheme->preference().value_or(Theme::Dark);
+    QAction* action = m_actions->systemTheme;
+    if (chosen == "light" || chosen == "dark") {
+        theme = chosen == "light" ? Theme::Light : Theme::Dark;
+        action = chosen == "light" ? m_actions->lightTheme : m_actions->darkTheme;
+    }
+    action->setChecked(true);
     applyTheme(*qApp, theme);
-    m_settings->setValue("theme", theme == Theme::Light ? "light" : "dark");
-    (theme == Theme::Light ? m_actions->lightTheme : m_actions->darkTheme)->setChecked(true);
 }
 
 } // namespace clothlab

@@ -1,14 +1,21 @@
 // The part of the main window that carries out what concerns the view, and the windows of Help.
 #include "app/docks/appearance_panel.h"
+#include "app/docks/output_panel.h"
+#include "app/docks/shader_editor.h"
+#include "app/render/shader_folder.h"
 #include "app/viewport/viewport.h"
 #include "app/window/actions.h"
 #include "app/window/main_window.h"
+#include "app/window/message_bar.h"
+#include "app/window/picture_dialog.h"
 
 #include <QApplication>
 #include <QComboBox>
 #include <QDialog>
 #include <QDir>
+#include <QDockWidget>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QMessageBox>
 #include <QTextBrowser>
 #include <QVBoxLayout>
@@ -33,11 +40,13 @@ void MainWindow::connectViewActions() {
     connect(m_actions->boxSelect, &QAction::triggered, m_viewport, &Viewport::beginBoxSelection);
     connect(m_actions->clearSelection, &QAction::triggered, this, [this] { m_document.setSelection({}); });
 
+    connect(m_actions->picture, &QAction::triggered, this, &MainWindow::showPictureDialog);
     connect(m_actions->fullScreen, &QAction::triggered, this,
             [this](bool full) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, full)); });
     connect(m_actions->hidePanels, &QAction::triggered, this, &MainWindow::setPanelsHidden);
     connect(m_viewport, &Viewport::tabPressed, m_actions->hidePanels, &QAction::trigger);
     connect(m_actions->resetLayout, &QAction::triggered, this, &MainWindow::resetLayout);
+    connect(m_actions->systemTheme, &QAction::triggered, this, [this] { setTheme(std::nullopt); });
     connect(m_actions->darkTheme, &QAction::triggered, this, [this] { setTheme(Theme::Dark); });
     connect(m_actions->lightTheme, &QAction::triggered, this, [this] { setTheme(Theme::Light); });
     connect(m_actions->keys, &QAction::triggered, this, &MainWindow::showKeys);
@@ -47,6 +56,74 @@ void MainWindow::connectViewActions() {
             [this](const QString& shader) { setShader(m_document, shader); });
     connect(&m_document, &Document::sceneChanged, this, &MainWindow::updateAppearanceControls);
     connect(&m_document, &Document::sceneReplaced, this, &MainWindow::updateAppearanceControls);
+}
+
+void MainWindow::connectShaders() {
+    m_appearancePanel->setShaders(m_shaderFolder->names());
+    connect(m_shaderFolder, &render::ShaderFolder::namesChanged, this, [this] {
+        m_appearancePanel->setShaders(m_shaderFolder->names());
+        updateAppearanceControls();
+    });
+    connect(m_shaderFolder, &render::ShaderFolder::filesChanged, m_viewport, &Viewport::reloadFiles);
+    connect(m_shaderFolder, &render::ShaderFolder::filesChanged, m_shaderEditor,
+            &ShaderEditor::fileMayHaveChanged);
+    connect(m_viewport, &Viewport::shaderShown, m_appearancePanel, &AppearancePanel::setUniforms);
+    const auto editShader = [this] {
+        openShader(m_shaderFolder->fileOf(QString::fromStdString(m_document.scene().appearance.shader)), 0);
+    };
+    connect(m_appearancePanel, &AppearancePanel::editShaderAsked, this, editShader);
+    connect(m_actions->editShader, &QAction::triggered, this, editShader);
+    connect(m_actions->reloadShaders, &QAction::triggered, m_viewport, &Viewport::reloadFiles);
+}
+
+void MainWindow::openShader(const QString& path, int line) {
+    if (!m_shaderEditor->open(path, line))
+        return;
+    QDockWidget* panel = dock("shader");
+    panel->show();
+    panel->raise();
+    if (panel->height() < height() / 3)
+        resizeDocks({panel}, {height() / 3}, Qt::Vertical);
+    m_shaderEditor->setFocus();
+}
+
+// All in Output, the first above the view, where it goes away once it is mended.
+void MainWindow::tellProblems() {
+    const render::Problems& problems = m_viewport->problems();
+    m_shaderEditor->setProblems(problems);
+    for (const render::Problem& problem : problems)
+        m_outputPanel->add(problem);
+    if (problems.isEmpty()) {
+        m_messageBar->hide();
+        say(tr("The shader is drawn."));
+        return;
+    }
+    const auto more = problems.size() - 1;
+    m_messageBar->showProblem(render::words(problems.constFirst()) +
+                              (more > 0 ? tr("\n… and %1 more, in Output").arg(more) : QString()));
+}
+
+bool MainWindow::mayDropShaderText() {
+    if (!m_shaderEditor->isModified())
+        return true;
+    QMessageBox box(QMessageBox::Question, tr("Unsaved shader"),
+                    tr("Save the changes to %1?").arg(QFileInfo(m_shaderEditor->path()).fileName()),
+                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+    box.setInformativeText(tr("They are lost otherwise."));
+    box.setDefaultButton(QMessageBox::Save);
+    const int answer = box.exec();
+    return answer == QMessageBox::Discard || (answer == QMessageBox::Save && m_shaderEditor->save());
+}
+
+void MainWindow::showPictureDialog() {
+    if (!m_pictureDialog) {
+        m_pictureDialog = new PictureDialog(*m_viewport, m_shaderFolder->path(), m_textureDirectory, this);
+        connect(m_pictureDialog, &PictureDialog::problem, this, &MainWindow::showProblem);
+        connect(m_pictureDialog, &PictureDialog::saved, this,
+                [this](const QString& path) { say(tr("Saved %1").arg(path)); });
+    }
+    m_pictureDialog->show();
+    m_pictureDialog->raise();
 }
 
 void MainWindow::keepView() {

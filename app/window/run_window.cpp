@@ -1,13 +1,13 @@
 #include "app/window/run_window.h"
 
-#include "app/cli/exit_status.h"
+#include "app/cli/arguments.h"
 #include "app/window/file_controller.h"
 #include "app/window/main_window.h"
 #include "app/window/message_bar.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
-#include <QRegularExpression>
+#include <QDir>
 #include <QTemporaryDir>
 #include <QTimer>
 
@@ -18,7 +18,7 @@ namespace clothlab {
 QString parseWindowOptions(const QStringList& arguments, WindowOptions& options) {
     QCommandLineParser parser;
     parser.addPositionalArgument("scene", {});
-    for (const char* name : {"screenshot", "frames", "theme", "size"})
+    for (const char* name : {"screenshot", "frames", "theme", "size", "shader-dir"})
         parser.addOption({name, {}, "value"});
     if (!parser.parse(QStringList{"clothlab"} + arguments))
         return parser.errorText();
@@ -39,12 +39,13 @@ QString parseWindowOptions(const QStringList& arguments, WindowOptions& options)
     if (parser.isSet("theme") && options.theme != "dark" && options.theme != "light")
         return QStringLiteral("--theme takes dark or light, not '%1'").arg(options.theme);
     if (parser.isSet("size")) {
-        static const QRegularExpression pattern("^([1-9]\\d{1,4})x([1-9]\\d{1,4})$");
-        const QRegularExpressionMatch match = pattern.match(parser.value("size"));
-        if (!match.hasMatch())
+        options.size = cli::readSize(parser.value("size"));
+        if (!options.size)
             return QStringLiteral("--size takes WIDTHxHEIGHT in pixels, not '%1'").arg(parser.value("size"));
-        options.size = QSize(match.captured(1).toInt(), match.captured(2).toInt());
     }
+    options.shaderDirectory = parser.value("shader-dir");
+    if (parser.isSet("shader-dir") && !QDir(options.shaderDirectory).exists())
+        return QStringLiteral("--shader-dir: there is no folder '%1'").arg(options.shaderDirectory);
     return {};
 }
 
@@ -101,7 +102,7 @@ int runWindow(const WindowOptions& options) {
         pictureOnly
             ? std::make_unique<QSettings>(temporary.filePath("settings.ini"), QSettings::IniFormat)
             : std::make_unique<QSettings>(QSettings::IniFormat, QSettings::UserScope, "ClothLab", "ClothLab");
-    MainWindow window(std::move(settings));
+    MainWindow window(std::move(settings), options.shaderDirectory);
     if (!options.theme.isEmpty())
         window.setTheme(options.theme == "light" ? Theme::Light : Theme::Dark);
     window.show();

@@ -13,8 +13,9 @@ struct WindowOptions {
     QString scene;      // empty: a new one
     QString screenshot; // empty: none
     int frames = 90;    // to play before the screenshot
-    QString theme;      // "dark", "light" or empty: as last time
+    QString theme;      // "dark", "light" or empty: as chosen last
     std::optional<QSize> size;
+    QString shaderDirectory; // empty: that which comes with the program
 };
 
 // What is wrong with the arguments (without the program's name), in words; empty if nothing is.

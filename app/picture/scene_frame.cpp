@@ -1,4 +1,4 @@
-#include "app/viewport/scene_frame.h"
+#include "app/picture/scene_frame.h"
 
 #include "app/widgets/theme.h"
 #include "simcore/inspect/inspect.h"

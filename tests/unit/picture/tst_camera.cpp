@@ -1,4 +1,4 @@
-#include "app/viewport/camera.h"
+#include "app/picture/camera.h"
 
 #include <QTest>
 

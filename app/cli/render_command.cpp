@@ -1,0 +1,176 @@
+#include "app/cli/render_command.h"
+
+#include "app/cli/arguments.h"
+#include "app/document/data_files.h"
+#include "app/render/offscreen_picture.h"
+#include "app/render/shader_library.h"
+#include "app/picture/camera.h"
+#include "app/picture/scene_frame.h"
+#include "simcore/inspect/blow_up_text.h"
+#include "simcore/scene/scene_io.h"
+#include "simcore/solver/frame_runner.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QPainter>
+#include <QSaveFile>
+
+#include <cstdio>
+
+namespace clothlab::cli {
+namespace {
+
+const QString kAllShaders = QStringLiteral("all");
+
+struct Options {
+    QString scene;
+    int frame = 90;
+    std::optional<int> threads;
+    QString shader; // empty: the scene's
+    QSize size{1280, 800};
+    QString output;
+    render::PictureSource source;
+};
+
+// What is wrong with the arguments; empty if nothing is.
+QString parse(const QStringList& arguments, Options& options) {
+    QCommandLineParser parser;
+    parser.addPositionalArgument("scene", {});
+    for (const char* name : {"frame", "shader", "size", "output", "shader-dir", "threads"})
+        parser.addOption({name, {}, "value"});
+    if (!parser.parse(QStringList{"clothlab"} + arguments))
+        return parser.errorText();
+    if (parser.positionalArguments().size() != 1)
+        return "render takes one scene: clothlab render SCENE --output FILE.png [OPTIONS]";
+    options.scene = parser.positionalArguments().constFirst();
+    std::optional<int> frame = options.frame;
+    for (const QString& error : {readInteger(parser, "frame", 0, 100'000'000, frame),
+                                 readInteger(parser, "threads", 1, 1024, options.threads)})
+        if (!error.isEmpty())
+            return error;
+    options.frame = *frame;
+    options.output = parser.value("output");
+    if (!options.output.endsWith(".png", Qt::CaseInsensitive))
+        return "--output takes the name of a .png file";
+    if (parser.isSet("size")) {
+        const std::optional<QSize> size = readSize(parser.value("size"));
+        if (!size)
+            return QStringLiteral("--size takes WIDTHxHEIGHT in pixels, not '%1'").arg(parser.value("size"));
+        options.size = *size;
+    }
+    options.source = {dataDirectory("shaders"), dataDirectory("textures")};
+    if (parser.isSet("shader-dir"))
+        options.source.shaderDirectory = parser.value("shader-dir");
+    const QString& directory = options.source.shaderDirectory;
+    if (!QDir(directory).exists())
+        return QStringLiteral("--shader-dir: there is no folder '%1'").arg(directory);
+    options.shader = parser.value("shader");
+    const QStringList shaders = render::listShaders(directory);
+    if (parser.isSet("shader") && options.shader != kAllShaders && !shaders.contains(options.shader))
+        return QStringLiteral("--shader: there is no '%1' in %2; there are %3, and all")
+            .arg(options.shader, directory, shaders.join(", "));
+    return {};
+}
+
+// Up to the frame asked for. What went wrong, in words; empty if nothing did.
+QString simulateTo(int frame, VerletSolver& solver, ClothState& state) {
+    const std::atomic<bool> never{false};
+    for (int number = 1; number <= frame; ++number)
+        if (const FrameResult result = runFrame(solver, state, never); result.blowUp)
+            return QString::fromStdString(
+                describeBlowUp(*result.blowUp, result.blowUpStep, number, solver.scene()));
+    return {};
+}
+
+render::RenderFrame frameOf(const Scene& scene, const Options& options, const VerletSolver& solver,
+                            const ClothState& state) {
+    render::RenderFrame frame;
+    Camera camera;
+    camera.view = scene.camera.value_or(homeView(scene.cloth));
+    frame.viewProjection = camera.viewProjection(options.size);
+    frame.cameraPosition = camera.eye();
+    frame.time = float(options.frame) / float(scene.simulation.framesPerSecond);
+    fillLook(scene, QFileInfo(options.scene).absolutePath(), frame);
+    fillSheet(scene, solver.sheet(), state.position, frame);
+    return frame;
+}
+
+// Pictures side by side, each with the name of its shader under it.
+QImage contactSheet(const std::vector<std::pair<QString, QImage>>& pictures, const QColor& background) {
+    constexpr int most = 4; // in a row
+    constexpr int gap = 8;
+    const QSize size = pictures.front().second.size();
+    const int columns = std::min(most, int(pictures.size()));
+    const int rows = (int(pictures.size()) + columns - 1) / columns;
+    const int caption = std::max(16, size.height() / 10);
+    QImage sheet(columns * (size.width() + gap) + gap, rows * (size.height() + caption + gap) + gap,
+                 QImage::Format_RGB32);
+    sheet.fill(background.lighter(130));
+    QPainter painter(&sheet);
+    QFont font = painter.font();
+    font.setPixelSize(6 * caption / 10);
+    painter.setFont(font);
+    painter.setPen(QColor(0xE4, 0xE6, 0xE8));
+    for (int i = 0; i < int(pictures.size()); ++i) {
+        const QPoint corner(gap + i % columns * (size.width() + gap),
+                            gap + i / columns * (size.height() + caption + gap));
+        painter.drawImage(corner, pictures[std::size_t(i)].second);
+        painter.drawText(QRect(corner + QPoint(0, size.height()), QSize(size.width(), caption)),
+                         Qt::AlignCenter, pictures[std::size_t(i)].first);
+    }
+    return sheet;
+}
+
+int writePicture(const QImage& image, const QString& path) {
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || !image.save(&file, "PNG") || !file.commit())
+        return fail(OutputNotWritten,
+                    QStringLiteral("%1: the picture could not be written: %2").arg(path, file.errorString()));
+    return Done;
+}
+
+int drawAndWrite(Scene& scene, const Options& options, const VerletSolver& solver, const ClothState& state) {
+    const QStringList shaders =
+        options.shader == kAllShaders ? render::listShaders(options.source.shaderDirectory)
+        : options.shader.isEmpty()    ? QStringList{QString::fromStdString(scene.appearance.shader)}
+                                      : QStringList{options.shader};
+    std::vector<std::pair<QString, QImage>> pictures;
+    QColor background;
+    for (const QString& shader : shaders) {
+        scene.appearance.shader = shader.toStdString();
+        const render::RenderFrame frame = frameOf(scene, options, solver, state);
+        background = frame.background;
+        render::Problems problems;
+        QString reason;
+        const auto picture = render::renderPicture(frame, options.size, options.source, problems, reason);
+        if (!picture)
+            return fail(WrongUsage, reason);
+        for (const render::Problem& problem : problems)
+            std::fprintf(stderr, "clothlab: %s\n", qPrintable(render::words(problem)));
+        pictures.emplace_back(shader, *picture);
+    }
+    return writePicture(pictures.size() == 1 ? pictures.front().second : contactSheet(pictures, background),
+                        options.output);
+}
+
+} // namespace
+
+int renderCommand(const QStringList& arguments) {
+    Options options;
+    if (const QString error = parse(arguments, options); !error.isEmpty())
+        return fail(WrongUsage, error + "; see clothlab --help");
+    SceneReading reading = loadScene(options.scene.toStdString());
+    for (const Diagnostic& diagnostic : reading.diagnostics)
+        std::fprintf(stderr, "%s\n", toText(diagnostic, options.scene.toStdString()).c_str());
+    if (!reading.scene)
+        return InvalidInput;
+    SolverSettings settings;
+    settings.threads = options.threads.value_or(0);
+    VerletSolver solver(*reading.scene, settings);
+    ClothState state = solver.start();
+    if (const QString error = simulateTo(options.frame, solver, state); !error.isEmpty())
+        return fail(SimulationBlewUp, error);
+    return drawAndWrite(*reading.scene, options, solver, state);
+}
+
+} // namespace clothlab::cli
