@@ -11,7 +11,8 @@ uniform sampler2D u_texture_3;
 uniform float u_normal_scaling;
 uniform float u_height_scaling;
 
-uniform float u_relief; // 0.5 [0, 2] "Relief" Times the normal scaling; where that is 1 together, normals are those of the surface.
+uniform float u_depth;  // 0.4 [0, 2] "Depth" Times the height scaling: how far white is moved, in metres.
+uniform float u_relief; // 0.5 [0, 2] "Relief" Times the normal scaling: where that makes 1, normals are those of the surface.
 
 in vec4 v_position;
 in vec4 v_base;
@@ -23,7 +24,7 @@ out vec4 out_color;
 void main() {
     vec4 color = gl_FrontFacing ? u_color : u_back_color;
     vec3 relief = relief_normal(normalize(v_normal.xyz), v_base.xyz, v_uv, u_texture_3,
-                                u_relief * u_normal_scaling * u_height_scaling);
+                                u_depth * u_height_scaling * u_relief * u_normal_scaling);
     vec3 n = facing_normal(relief);
     out_color = vec4(blinn_phong(color.rgb, v_position.xyz, n, vec3(1.0, 0.85, 0.22), 30.0), color.a);
 }

@@ -16,12 +16,12 @@ uniform samplerCube u_texture_cubemap;
 uniform float u_cubemap_levels;
 uniform vec3 u_irradiance[9];
 
-uniform float u_roughness;     // 0.45 [0.04, 1] "Roughness" 0 would be a mirror, 1 is matt.
+uniform float u_roughness;     // 0.5 [0.04, 1] "Roughness" 0 would be a mirror, 1 is matt.
 uniform float u_metallic;      // 0 [0, 1] "Metallic" 1: highlights take the base colour, and nothing is scattered.
 uniform bool u_use_map;        // true "Use the base map"
 uniform sampler2D u_base_map;  // srgb texture_5.png "Base map" Times the colour of the sheet.
-uniform float u_lamp;          // 1 [0, 5] "Lamp" Weight of the main light.
-uniform float u_surroundings;  // 1 [0, 5] "Surroundings" Weight of the cube map.
+uniform float u_lamp;          // 1.6 [0, 5] "Lamp" Weight of the main light.
+uniform float u_surroundings;  // 1.8 [0, 5] "Surroundings" Weight of the cube map.
 
 in vec4 v_position;
 in vec4 v_normal;
