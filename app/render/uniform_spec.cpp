@@ -34,8 +34,9 @@ public:
     CommentReader(UniformSpec& spec, const QString& text) : m_spec(spec), m_rest(text.trimmed()) {}
 
     void read() {
-        while (!m_rest.isEmpty() && (readLabel() || readRange() || readWord() || readHexColor() ||
-                                     readTuple() || readNumber() || readFile()))
+        while (!m_rest.isEmpty() && !m_labelled &&
+               (readLabel() || readRange() || readWord() || readHexColor() || readTuple() || readNumber() ||
+                readFile()))
             ;
         m_spec.help = m_rest;
     }
@@ -53,6 +54,7 @@ private:
         if (!take(label))
             return false;
         m_spec.label = m_match.captured(1);
+        m_labelled = true;
         return true;
     }
 
@@ -123,6 +125,7 @@ private:
 
     UniformSpec& m_spec;
     QString m_rest;
+    bool m_labelled = false;
     QRegularExpressionMatch m_match;
 };
 
@@ -152,8 +155,8 @@ void annotate(UniformSpec& spec, const std::vector<QByteArray>& sources) {
         QStringLiteral(R"(^[ \t]*uniform[ \t]+\w+[ \t]+%1[ \t]*(?:=[^;\n]*)?;[ \t]*//(.*)$)")
             .arg(QRegularExpression::escape(spec.name)),
         QRegularExpression::MultilineOption);
-    for (const QByteArray& source : sources) {
-        const QRegularExpressionMatch match = declaration.match(QString::fromUtf8(source));
+    for (auto source = sources.rbegin(); source != sources.rend(); ++source) {
+        const QRegularExpressionMatch match = declaration.match(QString::fromUtf8(*source));
         if (!match.hasMatch())
             continue;
         CommentReader(spec, match.captured(1)).read();

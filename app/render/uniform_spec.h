@@ -37,8 +37,8 @@ struct UniformSpec {
 int componentsOf(UniformSpec::Type type);
 
 // Completes `spec`, of which name and type are given and `initial` what GLSL itself says, by the comment
-// after the declaration in any of `sources`, all of which is optional and in any order but the help, which
-// comes last:
+// after the declaration in the last of `sources` that has one. All of it is optional: default, range,
+// `color`, `srgb` in any order, then the label, then help, which goes to the end of the line:
 //
 //   uniform float u_roughness; // 0.5 [0, 1] "Roughness" of the surface: 0 is a mirror.
 //   uniform vec3 u_tint;       // color (1, 0.5, 0) "Tint"       or  // #FF8000 "Tint"
