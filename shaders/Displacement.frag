@@ -11,7 +11,7 @@ uniform sampler2D u_texture_3;
 uniform float u_normal_scaling;
 uniform float u_height_scaling;
 
-uniform float u_depth;  // 0.4 [0, 2] "Depth" Times the height scaling: how far white is moved, in metres.
+uniform float u_depth;  // 0.15 [0, 2] "Depth" Times the height scaling: how far white is moved, in metres.
 uniform float u_relief; // 0.5 [0, 2] "Relief" Times the normal scaling: where that makes 1, normals are those of the surface.
 
 in vec4 v_position;

@@ -59,8 +59,9 @@ AppearancePanel::AppearancePanel(Document& document, Simulation& simulation, QWi
     addStrainGroup();
     addViewGroup();
     static_cast<QVBoxLayout*>(layout())->addStretch();
-    alignRows();
-    m_controls->setLabelWidth(labelWidth());
+    const QString widest = QStringLiteral("-100.555 m_");
+    alignRows(widest);
+    m_controls->setColumns(labelWidth(), fontMetrics().horizontalAdvance(widest));
     AppearancePanel::showScene();
 }
 
@@ -115,7 +116,6 @@ void AppearancePanel::addSheetGroup() {
         tr("Colour"), tr("Colour of the sheet, u_color of the shaders."), {},
         [](const Appearance& a) { return std::optional(a.color); },
         [](Appearance& a, const std::optional<Rgb>& rgb) { a.color = rgb.value_or(a.color); });
-    m_color->button()->setObjectName("sheetColor");
     m_backColor = makeColorRow(
         tr("Back colour"), tr("Colour of the sheet's other side, u_back_color of the shaders."),
         tr("As the front"), [](const Appearance& a) { return a.backColor; },

@@ -48,10 +48,6 @@ QString parameterToolTip(const Parameter& parameter) {
     return text;
 }
 
-int fieldWidth(const QWidget& panel) {
-    return panel.fontMetrics().horizontalAdvance(QStringLiteral("100000.55 m/s²_"));
-}
-
 ParameterPanel::ParameterPanel(Document& document, QWidget* parent) : QWidget(parent), m_document(document) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 4, 8, 8);
@@ -109,7 +105,7 @@ void ParameterPanel::setParameter(const Parameter& parameter, double value, int 
     }
 }
 
-void ParameterPanel::alignRows(int leastLabelWidth) {
+void ParameterPanel::alignRows(const QString& widest, int leastLabelWidth) {
     m_labelWidth = leastLabelWidth;
     const auto buttonRows = findChildren<ButtonRow*>();
     for (const ParameterRow* row : std::as_const(m_rows))
@@ -118,7 +114,7 @@ void ParameterPanel::alignRows(int leastLabelWidth) {
         m_labelWidth = std::max(m_labelWidth, row->labelWidthHint());
     for (ParameterRow* row : std::as_const(m_rows)) {
         row->setLabelWidth(m_labelWidth);
-        row->setFieldWidth(fieldWidth(*this));
+        row->setFieldWidth(fontMetrics().horizontalAdvance(widest));
     }
     for (ButtonRow* row : buttonRows)
         row->setLabelWidth(m_labelWidth);

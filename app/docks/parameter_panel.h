@@ -31,8 +31,8 @@ protected:
                             bool folded = false);
     void add(FoldableGroup& group, std::initializer_list<const char*> ids);
 
-    // One column of labels at least that wide, and one of fields.
-    void alignRows(int leastLabelWidth = 0);
+    // One column of labels at least that wide, and one of fields, wide enough for that text.
+    void alignRows(const QString& widest, int leastLabelWidth = 0);
     int labelWidth() const { return m_labelWidth; }
 
     // Shows the values of the scene. Called for every change of it.
@@ -53,8 +53,5 @@ private:
 
 // Name in the file, unit, range, default, and what it does to cloth.
 QString parameterToolTip(const Parameter& parameter);
-
-// What the fields of a panel are wide enough for.
-int fieldWidth(const QWidget& panel);
 
 } // namespace clothlab

@@ -1,6 +1,5 @@
 #include "app/docks/shader_controls.h"
 
-#include "app/docks/parameter_panel.h"
 #include "app/picture/scene_frame.h"
 #include "app/widgets/button_row.h"
 #include "app/widgets/check_box.h"
@@ -82,7 +81,7 @@ void ShaderControls::setUniforms(const QString& shader, const std::vector<Unifor
     }
     for (std::size_t i = 0; i < m_uniforms.size(); ++i)
         addControl(m_uniforms[i]);
-    setLabelWidth(m_labelWidth);
+    setColumns(m_labelWidth, m_fieldWidth);
     showScene();
 }
 
@@ -137,7 +136,6 @@ ShaderControls::Show ShaderControls::addNumber(const UniformSpec& spec, std::siz
     auto* widget = new ParameterRow(row);
     widget->setObjectName(single ? spec.name
                                  : spec.name + QLatin1Char('.') + QLatin1Char(letters[component]));
-    widget->setFieldWidth(fieldWidth(*this));
     connect(widget, &ParameterRow::rejected, this, &ShaderControls::rejected);
     connect(widget, &ParameterRow::edited, this, [this, spec, component](double value, int gesture) {
         UniformSetting setting = settingOf(spec);
@@ -207,12 +205,15 @@ void ShaderControls::set(const UniformSpec& spec, const UniformSetting& setting,
     m_document.edit(tr("change %1").arg(spec.label), std::move(after), gesture);
 }
 
-void ShaderControls::setLabelWidth(int width) {
-    m_labelWidth = width;
-    for (ParameterRow* row : findChildren<ParameterRow*>())
-        row->setLabelWidth(width);
+void ShaderControls::setColumns(int labelWidth, int fieldWidth) {
+    m_labelWidth = labelWidth;
+    m_fieldWidth = fieldWidth;
+    for (ParameterRow* row : findChildren<ParameterRow*>()) {
+        row->setLabelWidth(labelWidth);
+        row->setFieldWidth(fieldWidth);
+    }
     for (ButtonRow* row : findChildren<ButtonRow*>())
-        row->setLabelWidth(width);
+        row->setLabelWidth(labelWidth);
 }
 
 void ShaderControls::showScene() {

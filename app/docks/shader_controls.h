@@ -26,7 +26,7 @@ public:
     // Makes the controls anew if they are others.
     void setUniforms(const QString& shader, const std::vector<render::UniformSpec>& uniforms);
 
-    void setLabelWidth(int width);
+    void setColumns(int labelWidth, int fieldWidth); // of the panel around it
     void showScene();
     const std::vector<render::UniformSpec>& uniforms() const { return m_uniforms; }
 
@@ -51,6 +51,7 @@ private:
     std::vector<std::pair<std::size_t, Show>> m_shows; // by index of the uniform
     QVBoxLayout* m_layout;
     int m_labelWidth = 0;
+    int m_fieldWidth = 0;
 };
 
 } // namespace clothlab

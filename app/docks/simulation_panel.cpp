@@ -19,7 +19,7 @@ SimulationPanel::SimulationPanel(Document& document, QWidget* parent)
     addGroup(tr("Sheet (starts anew)"), {"cloth.width", "cloth.height", "cloth.num_width_points",
                                          "cloth.num_height_points", "cloth.orientation", "simulation.seed"});
     static_cast<QVBoxLayout*>(layout())->addStretch();
-    alignRows(m_stability->labelWidthHint());
+    alignRows(QStringLiteral("100000.55 m/s²_"), m_stability->labelWidthHint());
     m_stability->setLabelWidth(labelWidth());
     SimulationPanel::showScene();
 }

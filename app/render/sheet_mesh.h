@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/render/render_frame.h"
+#include "app/render/sheet_normals.h"
 #include "app/render/surface_mesh.h"
 
 namespace clothlab::render {
@@ -23,18 +24,22 @@ public:
     Change update(const SheetShape& sheet);
 
     const SurfaceMesh& mesh() const { return m_mesh; }
+    const FloatRows& positions() const { return m_positions; } // of the vertices
     int width() const { return m_width; }
     int height() const { return m_height; }
     bool isEmpty() const { return m_mesh.vertices.empty(); }
 
 private:
     void resize(int width, int height);
-    void computeNormals();
-    void computeTangents();
+    bool takePositions(const std::vector<float>& positions); // true if any is another one
+    void fillRow(int y);                                     // of the vertices
 
     int m_width = 0;
     int m_height = 0;
-    std::vector<float> m_positions; // what the vertices were computed from
+    FloatRows m_positions;
+    FloatRows m_normals;
+    FloatRows m_tangents;
+    NormalScratch m_scratch;
     SurfaceMesh m_mesh;
 };
 

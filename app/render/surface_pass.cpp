@@ -32,11 +32,13 @@ void bindTexture(Gl& gl, int unit, GLenum target, GLuint texture) {
     gl.glActiveTexture(GL_TEXTURE0);
 }
 
-Bounds boundsOf(const SurfaceMesh& mesh) {
-    Bounds bounds;
-    for (const SurfaceVertex& vertex : mesh.vertices)
-        bounds.add({vertex.position[0], vertex.position[1], vertex.position[2]});
-    return bounds;
+Bounds boundsOf(const FloatRows& positions) {
+    if (positions.x.empty())
+        return {};
+    const auto x = std::minmax_element(positions.x.begin(), positions.x.end());
+    const auto y = std::minmax_element(positions.y.begin(), positions.y.end());
+    const auto z = std::minmax_element(positions.z.begin(), positions.z.end());
+    return {{*x.first, *y.first, *z.first}, {*x.second, *y.second, *z.second}};
 }
 
 } // namespace
@@ -70,8 +72,7 @@ void SurfacePass::prepare(Gl& gl, const RenderFrame& frame, ShaderLibrary& shade
 
 void SurfacePass::updateMeshes(Gl& gl, const RenderFrame& frame) {
     const SheetMesh::Change change = m_sheet.update(gl, frame.sheet);
-    if (change != SheetMesh::Change::Nothing)
-        m_sheetBounds = boundsOf(m_sheet.mesh().mesh());
+    m_sheetBoundsAreCurrent = m_sheetBoundsAreCurrent && change == SheetMesh::Change::Nothing;
     const int cells = std::clamp(frame.surface.meshResolution, 0, kFinest);
     updateSphere(gl, cells);
     if (cells > 0 && !isWireframe(frame)) {
@@ -97,6 +98,9 @@ SheetBuffers& SurfacePass::surface(const RenderFrame& frame) {
 }
 
 void SurfacePass::drawShadowMap(Gl& gl, const RenderFrame& frame, const ShaderProgram& program) {
+    if (!m_sheetBoundsAreCurrent)
+        m_sheetBounds = boundsOf(m_sheet.mesh().positions());
+    m_sheetBoundsAreCurrent = true;
     Bounds bounds = m_sheetBounds;
     for (const SphereShape& sphere : frame.spheres) {
         const QVector3D reach(sphere.radius, sphere.radius, sphere.radius);

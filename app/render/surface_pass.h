@@ -40,6 +40,7 @@ private:
     SheetShape m_resampledShape;
     int m_resampledCells = 0;
     Bounds m_sheetBounds;
+    bool m_sheetBoundsAreCurrent = false;
     StaticMesh m_sphere;
     int m_sphereResolution = -1;
     StaticMesh m_plane;

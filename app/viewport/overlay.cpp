@@ -129,18 +129,29 @@ void Overlay::paintPlaceholder(QPainter& painter) const {
                      m_placeholderReason);
 }
 
+// On a dark ground, as the sheet may be behind it.
+void Overlay::paintHint(QPainter& painter) const {
+    constexpr int margin = 8;
+    const QRect text = painter.fontMetrics().boundingRect(rect().adjusted(margin, margin, -margin, -margin),
+                                                          Qt::AlignHCenter | Qt::AlignBottom, m_hint);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(0x18, 0x19, 0x1B, 150));
+    painter.drawRoundedRect(text.adjusted(-margin, -2, margin, 2), 4, 4);
+    painter.setPen(themeColors(Theme::Dark).dimText);
+    painter.drawText(text, Qt::AlignCenter, m_hint);
+}
+
 void Overlay::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    const ThemeColors& colors = themeColors(Theme::Dark);
     if (!m_placeholderTitle.isEmpty())
         paintPlaceholder(painter);
     paintBadges(painter);
     if (m_legend)
         paintLegend(painter);
-    painter.setPen(colors.dimText);
-    painter.drawText(rect().adjusted(8, 8, -8, -8), Qt::AlignHCenter | Qt::AlignBottom, m_hint);
+    paintHint(painter);
     if (!m_box.isNull()) {
+        const ThemeColors& colors = themeColors(Theme::Dark);
         painter.setPen(QPen(colors.selected, 1, Qt::DashLine));
         painter.setBrush(QColor(colors.selected.red(), colors.selected.green(), colors.selected.blue(), 30));
         painter.drawRect(m_box.normalized());

@@ -47,6 +47,7 @@ protected:
 
 private:
     void paintBadges(QPainter& painter) const;
+    void paintHint(QPainter& painter) const;
     void paintLegend(QPainter& painter) const;
     void paintPlaceholder(QPainter& painter) const;
 

@@ -13,13 +13,15 @@
 #include <QPainter>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace clothlab {
 namespace {
 
 // Framed, so that white is seen on a light panel.
 QPixmap swatch(const QColor& color) {
     QPixmap pixmap(40, 24);
-    pixmap.fill(themeColors().dimText);
+    pixmap.fill(color.alpha() > 0 ? themeColors().dimText : color); // nothing, of the same size
     QPainter(&pixmap).fillRect(pixmap.rect().adjusted(2, 2, -2, -2), color);
     return pixmap;
 }
@@ -36,8 +38,8 @@ ButtonRow::ButtonRow(const QString& label, const QString& toolTip, QWidget* pare
     layout->addWidget(m_button, 1);
     layout->addWidget(m_reset);
     m_label->setCursor(Qt::ArrowCursor); // here there is nothing to drag
-    m_button->setObjectName("choice");
-    m_button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    m_button->setProperty("choice", true); // for the style sheet: it looks like a field
+    m_button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // however long the name is
     m_button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_button->setAccessibleName(label);
     m_reset->setIcon(themedIcon("close"));
@@ -66,8 +68,21 @@ int ButtonRow::labelWidthHint() const {
 }
 
 void ButtonRow::showChoice(const QString& text, bool isDefault) {
-    m_button->setText(text);
+    m_choice = text;
     m_reset->setVisible(!isDefault);
+    elide();
+}
+
+void ButtonRow::elide() {
+    constexpr int frame = 18; // around the text
+    const int room = m_button->width() - frame - m_button->iconSize().width();
+    m_button->setText(m_button->fontMetrics().elidedText(m_choice, Qt::ElideMiddle, std::max(room, 0)));
+}
+
+void ButtonRow::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    layout()->activate();
+    elide();
 }
 
 void ButtonRow::changeEvent(QEvent* event) {
@@ -91,7 +106,7 @@ void ColorRow::setColor(const std::optional<QColor>& color, bool isDefault) {
 }
 
 void ColorRow::refresh() {
-    button()->setIcon(m_color ? QIcon(swatch(*m_color)) : QIcon());
+    button()->setIcon(swatch(m_color.value_or(Qt::transparent)));
     showChoice(m_color ? m_color->name() : m_byDefault, m_isDefault);
 }
 

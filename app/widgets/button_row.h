@@ -33,10 +33,14 @@ signals:
 protected:
     void showChoice(const QString& text, bool isDefault);
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     virtual void refresh() = 0; // the theme is another one
 
 private:
+    void elide();
+
     QString m_labelText;
+    QString m_choice; // in full
     DragLabel* m_label;
     QToolButton* m_button;
     QToolButton* m_reset;

@@ -50,8 +50,8 @@ void MainWindow::makePanels() {
     setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
     addDock("springs", tr("Springs"), m_springsPanel, Qt::LeftDockWidgetArea, false);
     addDock("appearance", tr("Appearance"), m_appearancePanel, Qt::LeftDockWidgetArea, true);
-    addDock("inspector", tr("Inspector"), m_inspectorPanel, Qt::LeftDockWidgetArea, false);
     addDock("simulation", tr("Simulation"), m_simulationPanel, Qt::RightDockWidgetArea, true);
+    addDock("inspector", tr("Inspector"), m_inspectorPanel, Qt::RightDockWidgetArea, false);
     addDock("timeline", tr("Timeline"), m_timelinePanel, Qt::BottomDockWidgetArea, false);
     addDock("output", tr("Output"), m_outputPanel, Qt::BottomDockWidgetArea, false);
     addDock("shader", tr("Shader"), m_shaderEditor, Qt::BottomDockWidgetArea, false);
@@ -195,10 +195,10 @@ void MainWindow::showEvent(QShowEvent* event) {
 
 void MainWindow::arrangeDocks() {
     const int unit = fontMetrics().horizontalAdvance("0000000000");
-    resizeDocks({dock("inspector"), dock("simulation")}, {4 * unit, 4 * unit}, Qt::Horizontal);
-    resizeDocks({dock("springs"), dock("appearance"), dock("inspector")},
-                {dock("springs")->sizeHint().height(), dock("appearance")->sizeHint().height(), height()},
+    resizeDocks({dock("appearance"), dock("simulation")}, {4 * unit, 4 * unit}, Qt::Horizontal);
+    resizeDocks({dock("springs"), dock("appearance")}, {dock("springs")->sizeHint().height(), height()},
                 Qt::Vertical);
+    resizeDocks({dock("simulation"), dock("inspector")}, {5 * height(), 2 * height()}, Qt::Vertical);
     resizeDocks({dock("timeline")}, {dock("timeline")->minimumSizeHint().height()}, Qt::Vertical);
 }
 
