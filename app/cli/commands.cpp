@@ -55,6 +55,7 @@ QString helpText() {
       --frame N                         frame to show (default 90)
       --shader NAME                     instead of the scene's; "all" for a sheet with every one
       --size WxH                        size of the picture (default 1280x800)
+      --fit                             move the camera so that the cloth fills the picture
       --output FILE                     the .png to write
       --shader-dir DIR, --threads T     as above
   clothlab check SCENE                  say what is wrong or doubtful about a scene

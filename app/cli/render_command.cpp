@@ -2,10 +2,10 @@
 
 #include "app/cli/arguments.h"
 #include "app/document/data_files.h"
-#include "app/render/offscreen_picture.h"
-#include "app/render/shader_library.h"
 #include "app/picture/camera.h"
 #include "app/picture/scene_frame.h"
+#include "app/render/offscreen_picture.h"
+#include "app/render/shader_library.h"
 #include "simcore/inspect/blow_up_text.h"
 #include "simcore/scene/scene_io.h"
 #include "simcore/solver/frame_runner.h"
@@ -14,6 +14,8 @@
 #include <QFileInfo>
 #include <QPainter>
 #include <QSaveFile>
+
+#include <Eigen/Geometry>
 
 #include <cstdio>
 
@@ -29,6 +31,7 @@ struct Options {
     QString shader; // empty: the scene's
     QSize size{1280, 800};
     QString output;
+    bool fit = false;
     render::PictureSource source;
 };
 
@@ -38,6 +41,7 @@ QString parse(const QStringList& arguments, Options& options) {
     parser.addPositionalArgument("scene", {});
     for (const char* name : {"frame", "shader", "size", "output", "shader-dir", "threads"})
         parser.addOption({name, {}, "value"});
+    parser.addOption(QCommandLineOption("fit"));
     if (!parser.parse(QStringList{"clothlab"} + arguments))
         return parser.errorText();
     if (parser.positionalArguments().size() != 1)
@@ -50,6 +54,7 @@ QString parse(const QStringList& arguments, Options& options) {
             return error;
     options.frame = *frame;
     options.output = parser.value("output");
+    options.fit = parser.isSet("fit");
     if (!options.output.endsWith(".png", Qt::CaseInsensitive))
         return "--output takes the name of a .png file";
     if (parser.isSet("size")) {
@@ -82,11 +87,22 @@ QString simulateTo(int frame, VerletSolver& solver, ClothState& state) {
     return {};
 }
 
+// As the key A does in the window.
+void fitCamera(const PointArray& position, QSize size, Camera& camera) {
+    Eigen::AlignedBox3d box;
+    for (int i = 0; i < int(position.size()); ++i)
+        box.extend(position.at(i));
+    const Vec3 centre = box.center();
+    camera.frame({float(centre.x()), float(centre.y()), float(centre.z())}, box.diagonal().norm() / 2, size);
+}
+
 render::RenderFrame frameOf(const Scene& scene, const Options& options, const VerletSolver& solver,
                             const ClothState& state) {
     render::RenderFrame frame;
     Camera camera;
     camera.view = scene.camera.value_or(homeView(scene.cloth));
+    if (options.fit)
+        fitCamera(state.position, options.size, camera);
     frame.viewProjection = camera.viewProjection(options.size);
     frame.cameraPosition = camera.eye();
     frame.time = float(options.frame) / float(scene.simulation.framesPerSecond);

@@ -58,10 +58,15 @@ void fillPositions(const PointArray& from, std::vector<float>& to) {
 
 // The same object as before where the places are the same, so that nothing is uploaded again.
 void fillRest(const PointArray& start, std::shared_ptr<const std::vector<float>>& rest) {
-    std::vector<float> positions;
-    fillPositions(start, positions);
-    if (!rest || *rest != positions)
-        rest = std::make_shared<const std::vector<float>>(std::move(positions));
+    bool same = rest && rest->size() == 3 * start.size();
+    for (std::size_t i = 0; same && i < start.size(); ++i)
+        same = (*rest)[3 * i] == float(start.x[i]) && (*rest)[3 * i + 1] == float(start.y[i]) &&
+               (*rest)[3 * i + 2] == float(start.z[i]);
+    if (same)
+        return;
+    auto positions = std::make_shared<std::vector<float>>();
+    fillPositions(start, *positions);
+    rest = std::move(positions);
 }
 
 void fillStrains(const Scene& scene, const Sheet& sheet, const PointArray& position,

@@ -128,8 +128,6 @@ bool ShaderProgram::build(Gl& gl, std::span<const ShaderStage> stages, Problems&
     m_id = program;
     for (std::size_t i = 0; i < kUniformNames.size(); ++i)
         m_locations[i] = gl.glGetUniformLocation(program, kUniformNames[i]);
-    for (std::size_t i = 0; i < kAttributeNames.size(); ++i)
-        m_attributes[i] = gl.glGetAttribLocation(program, kAttributeNames[i]) >= 0;
     findUniforms(gl, stages, problems);
     return true;
 }

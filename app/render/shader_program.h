@@ -86,8 +86,6 @@ public:
     bool has(Uniform uniform) const { return location(uniform) >= 0; }
     const std::vector<UserUniform>& userUniforms() const { return m_userUniforms; }
 
-    bool hasAttribute(Attribute attribute) const { return m_attributes[attribute]; }
-
     // For the program in use. What the shader does not declare is not set.
     void set(Gl& gl, Uniform uniform, int value) const; // bools and texture units, too
     void set(Gl& gl, Uniform uniform, float value) const;
@@ -104,7 +102,6 @@ private:
 
     GLuint m_id = 0;
     std::array<GLint, static_cast<std::size_t>(Uniform::Count)> m_locations{};
-    std::array<bool, kRest + 1> m_attributes{};
     std::vector<UserUniform> m_userUniforms;
 };
 

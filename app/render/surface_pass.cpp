@@ -13,6 +13,12 @@ namespace {
 const QVector4D kColliderColor{0.46F, 0.48F, 0.51F, 1};
 const QVector4D kPlaneColor{0.36F, 0.37F, 0.39F, 1};
 
+// Of the texture directory.
+const std::array<QString, kTextureCount> kTextureFiles{
+    QStringLiteral("texture_1.png"), QStringLiteral("texture_2.png"), QStringLiteral("texture_3.png"),
+    QStringLiteral("texture_4.png")};
+const QString kCubemapFolder = QStringLiteral("cubemap");
+
 constexpr int kSphereSegments = 96; // and half as many rings, unless a resolution is asked for
 constexpr int kFinest = 512;
 
@@ -153,8 +159,7 @@ void SurfacePass::bindTextures(Gl& gl, const RenderFrame& frame, const ShaderPro
         if (!program.has(nth(Uniform::Texture1, i)) && !program.has(nth(Uniform::Texture1Size, i)))
             continue;
         const QString& chosen = frame.surface.textures[i];
-        const Texture& texture = textures.texture(
-            gl, chosen.isEmpty() ? QStringLiteral("texture_%1.png").arg(i + 1) : chosen, false);
+        const Texture& texture = textures.texture(gl, chosen.isEmpty() ? kTextureFiles[i] : chosen, false);
         const int unit = static_cast<int>(i);
         bindTexture(gl, unit, GL_TEXTURE_2D, texture.id);
         program.set(gl, nth(Uniform::Texture1, i), unit);
@@ -164,7 +169,7 @@ void SurfacePass::bindTextures(Gl& gl, const RenderFrame& frame, const ShaderPro
     }
     if (program.has(Uniform::TextureCubemap) || program.has(Uniform::Irradiance)) {
         const QString& chosen = frame.surface.cubemap;
-        const Cubemap& cubemap = textures.cubemap(gl, chosen.isEmpty() ? QStringLiteral("cubemap") : chosen);
+        const Cubemap& cubemap = textures.cubemap(gl, chosen.isEmpty() ? kCubemapFolder : chosen);
         gl.glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
         bindTexture(gl, kCubemapUnit, GL_TEXTURE_CUBE_MAP, cubemap.id);
         program.set(gl, Uniform::TextureCubemap, kCubemapUnit);
@@ -196,7 +201,7 @@ void SurfacePass::setUserUniforms(Gl& gl, const RenderFrame& frame, const Shader
         }
         if (unit >= kUnits)
             continue; // the driver would not have linked more
-        const QString file = setting.file.isEmpty() ? QStringLiteral("texture_1.png") : setting.file;
+        const QString file = setting.file.isEmpty() ? kTextureFiles[0] : setting.file;
         bindTexture(gl, unit, GL_TEXTURE_2D, textures.texture(gl, file, uniform.spec.srgb).id);
         program.set(gl, uniform, {static_cast<float>(unit)});
         ++unit;
