@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <vector>
 
 namespace clothlab::render {
@@ -36,27 +35,6 @@ constexpr std::array<const char*, kRest + 1> kAttributeNames{"in_position", "in_
 
 bool isOurs(const QByteArray& name) {
     return std::find(kUniformNames.begin(), kUniformNames.end(), name) != kUniformNames.end();
-}
-
-std::optional<UniformSpec::Type> typeOf(GLenum type) {
-    switch (type) {
-    case GL_BOOL:
-        return UniformSpec::Type::Bool;
-    case GL_INT:
-        return UniformSpec::Type::Int;
-    case GL_FLOAT:
-        return UniformSpec::Type::Float;
-    case GL_FLOAT_VEC2:
-        return UniformSpec::Type::Vec2;
-    case GL_FLOAT_VEC3:
-        return UniformSpec::Type::Vec3;
-    case GL_FLOAT_VEC4:
-        return UniformSpec::Type::Vec4;
-    case GL_SAMPLER_2D:
-        return UniformSpec::Type::Sampler2D;
-    default:
-        return std::nullopt;
-    }
 }
 
 GLuint compileStage(Gl& gl, const ShaderStage& stage, Problems& problems) {
@@ -128,56 +106,8 @@ bool ShaderProgram::build(Gl& gl, std::span<const ShaderStage> stages, Problems&
     m_id = program;
     for (std::size_t i = 0; i < kUniformNames.size(); ++i)
         m_locations[i] = gl.glGetUniformLocation(program, kUniformNames[i]);
-    findUniforms(gl, stages, problems);
+    m_userUniforms = findUserUniforms(gl, program, stages, isOurs, problems);
     return true;
-}
-
-void ShaderProgram::findUniforms(Gl& gl, std::span<const ShaderStage> stages, Problems& problems) {
-    std::vector<QByteArray> sources;
-    for (const ShaderStage& stage : stages)
-        sources.push_back(stage.source.text);
-    m_userUniforms.clear();
-    GLint count = 0;
-    gl.glGetProgramiv(m_id, GL_ACTIVE_UNIFORMS, &count);
-    for (GLint i = 0; i < count; ++i) {
-        std::array<char, 256> buffer{};
-        GLint size = 0;
-        GLenum type = 0;
-        gl.glGetActiveUniform(m_id, static_cast<GLuint>(i), static_cast<GLsizei>(buffer.size()), nullptr,
-                              &size, &type, buffer.data());
-        const QByteArray name(buffer.data());
-        const GLint location = gl.glGetUniformLocation(m_id, name.constData());
-        if (location < 0 || isOurs(name.left(name.indexOf('['))) || isOurs(name))
-            continue;
-        const std::optional<UniformSpec::Type> known = typeOf(type);
-        if (!known || size != 1) {
-            problems.append(
-                {stages.back().source.files.constFirst(), 0,
-                 QStringLiteral("the uniform %1 has no control: only float, int, bool, vec2 to vec4 and "
-                                "sampler2D have, and no arrays")
-                     .arg(QString::fromLatin1(name))});
-            continue;
-        }
-        UserUniform& uniform = m_userUniforms.emplace_back();
-        uniform.location = location;
-        uniform.spec.name = QString::fromLatin1(name);
-        uniform.spec.type = *known;
-        if (*known == UniformSpec::Type::Bool || *known == UniformSpec::Type::Int) {
-            GLint value = 0;
-            gl.glGetUniformiv(m_id, location, &value);
-            uniform.spec.initial.numbers[0] = static_cast<float>(value);
-        } else if (*known != UniformSpec::Type::Sampler2D) {
-            gl.glGetUniformfv(m_id, location, uniform.spec.initial.numbers.data());
-        }
-        annotate(uniform.spec, sources);
-    }
-    // Drivers list them in any order; people read them in that of the file.
-    const auto place = [&sources](const UserUniform& uniform) {
-        const QByteArray declared = ' ' + uniform.spec.name.toLatin1();
-        return std::pair(sources.back().indexOf(declared + ';'), sources.back().indexOf(declared));
-    };
-    std::stable_sort(m_userUniforms.begin(), m_userUniforms.end(),
-                     [&](const UserUniform& a, const UserUniform& b) { return place(a) < place(b); });
 }
 
 void ShaderProgram::destroy(Gl& gl) {

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "app/render/gl_functions.h"
-#include "app/render/shader_source.h"
-#include "app/render/uniform_spec.h"
+#include "app/render/user_uniforms.h"
 
 #include <QByteArray>
 #include <QMatrix4x4>
@@ -62,17 +61,6 @@ enum class Uniform {
     Count
 };
 
-struct ShaderStage {
-    GLenum type;
-    ShaderSource source;
-};
-
-// A uniform that the program has but this renderer does not set by itself.
-struct UserUniform {
-    UniformSpec spec;
-    GLint location = -1;
-};
-
 // Holds GL objects of one context. Nothing is freed by the destructor, which may run without a context.
 class ShaderProgram {
 public:
@@ -98,7 +86,6 @@ public:
 
 private:
     GLint location(Uniform uniform) const { return m_locations[static_cast<std::size_t>(uniform)]; }
-    void findUniforms(Gl& gl, std::span<const ShaderStage> stages, Problems& problems);
 
     GLuint m_id = 0;
     std::array<GLint, static_cast<std::size_t>(Uniform::Count)> m_locations{};
