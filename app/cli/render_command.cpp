@@ -107,7 +107,8 @@ render::RenderFrame frameOf(const Scene& scene, const Options& options, const Ve
     frame.cameraPosition = camera.eye();
     frame.time = float(options.frame) / float(scene.simulation.framesPerSecond);
     fillLook(scene, QFileInfo(options.scene).absolutePath(), frame);
-    fillSheet(scene, solver.sheet(), state.position, frame);
+    fillSheet(scene, solver.sheet(), state.position,
+              render::takesStrain(options.source.shaderDirectory, frame.surface.shader), frame);
     return frame;
 }
 

@@ -11,8 +11,6 @@
 namespace clothlab {
 namespace {
 
-constexpr const char* kStrainShader = "Strain";
-
 QVector3D toQt(const Vec3& v) {
     return {float(v.x()), float(v.y()), float(v.z())};
 }
@@ -69,6 +67,11 @@ void fillRest(const PointArray& start, std::shared_ptr<const std::vector<float>>
     rest = std::move(positions);
 }
 
+bool springsShowStrain(const Appearance& appearance) {
+    const bool drawn = appearance.shader == "Wireframe" || appearance.springsOverSurface;
+    return drawn && appearance.springColoring == SpringColoring::ByStrain;
+}
+
 void fillStrains(const Scene& scene, const Sheet& sheet, const PointArray& position,
                  render::RenderFrame& frame) {
     const double greatest = pointStrains(scene.cloth, sheet, position, frame.sheet.strains);
@@ -94,12 +97,6 @@ render::UniformSetting toSetting(const UniformValue& value, const QString& folde
         setting.numbers[0] = flag ? float(*flag) : float(std::get<double>(value));
     }
     return setting;
-}
-
-bool showsStrain(const Appearance& appearance) {
-    const bool springs = appearance.shader == "Wireframe" || appearance.springsOverSurface;
-    return appearance.shader == kStrainShader ||
-           (springs && appearance.springColoring == SpringColoring::ByStrain);
 }
 
 void fillLook(const Scene& scene, const QString& folder, render::RenderFrame& frame) {
@@ -130,7 +127,7 @@ void fillLook(const Scene& scene, const QString& folder, render::RenderFrame& fr
         frame.planes.push_back({toQt(plane.point), toQt(plane.normal.stableNormalized())});
 }
 
-void fillSheet(const Scene& scene, const Sheet& sheet, const PointArray& position,
+void fillSheet(const Scene& scene, const Sheet& sheet, const PointArray& position, bool shaderTakesStrain,
                render::RenderFrame& frame) {
     const Grid grid = gridOf(scene.cloth);
     frame.sheet.width = grid.width;
@@ -139,7 +136,8 @@ void fillSheet(const Scene& scene, const Sheet& sheet, const PointArray& positio
     frame.sheet.pinned.clear();
     for (const GridPoint& p : scene.cloth.pinned)
         frame.sheet.pinned.push_back(std::uint32_t(grid.index(p)));
-    if (showsStrain(scene.appearance) && sheet.grid == grid)
+    const bool seen = shaderTakesStrain || springsShowStrain(scene.appearance);
+    if (seen && sheet.grid == grid)
         fillStrains(scene, sheet, position, frame);
     else
         frame.sheet.strains.clear();

@@ -12,11 +12,9 @@ namespace clothlab {
 // scene. frame.strainRange stays as it is where the scene leaves it to the sheet.
 void fillLook(const Scene& scene, const QString& folder, render::RenderFrame& frame);
 
-// Whether strains are seen: on the surface, or on springs that are drawn.
-bool showsStrain(const Appearance& appearance);
-
-// Positions and pinned points; strains, and the range of their colours, only if they are seen.
-void fillSheet(const Scene& scene, const Sheet& sheet, const PointArray& position,
+// Positions and pinned points. Strains, and the range of their colours, only where they are seen: on a
+// surface whose shader takes them, or on springs that are drawn in the colours of strain.
+void fillSheet(const Scene& scene, const Sheet& sheet, const PointArray& position, bool shaderTakesStrain,
                render::RenderFrame& frame);
 
 render::UniformSetting toSetting(const UniformValue& value, const QString& folder);

@@ -51,6 +51,11 @@ QStringList listShaders(const QString& directory) {
     return names;
 }
 
+bool takesStrain(const QString& directory, const QString& name) {
+    QFile file(QDir(directory).filePath(name + QStringLiteral(".vert")));
+    return file.open(QIODevice::ReadOnly) && file.readAll().contains("in_strain");
+}
+
 void ShaderLibrary::setDirectory(const QString& directory) {
     if (directory == m_directory)
         return;

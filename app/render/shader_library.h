@@ -16,6 +16,9 @@ namespace clothlab::render {
 // there is one. Empty if there is no such directory.
 QStringList listShaders(const QString& directory);
 
+// Whether the shader of that name has a vertex shader of its own that takes in_strain. Looks at its text only.
+bool takesStrain(const QString& directory, const QString& name);
+
 // NAME.frag is linked with NAME.vert of the same directory if there is one, else with Default.vert there,
 // else with the Default.vert that is part of the program. Wireframe.frag is linked with the internal line
 // shaders, which provide the same varyings. A shader that can't be read, compiled or linked says so in

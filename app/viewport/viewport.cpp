@@ -48,6 +48,7 @@ void Viewport::showPlaceholder(const QString& reason) {
 }
 
 void Viewport::setDirectories(const QString& shaders, const QString& textures) {
+    m_shaderDirectory = shaders;
     if (m_canvas)
         m_canvas->setDirectories(shaders, textures);
 }
@@ -55,6 +56,7 @@ void Viewport::setDirectories(const QString& shaders, const QString& textures) {
 void Viewport::reloadFiles() {
     if (m_canvas)
         m_canvas->reloadFiles();
+    refreshScene(); // a shader may take other things now
 }
 
 void Viewport::setCamera(const Camera& camera) {

@@ -85,6 +85,8 @@ private:
 
     render::RenderFrame m_frame;
     bool m_frameIsCurrent = false;
+    QString m_shaderDirectory;
+    bool m_shaderTakesStrain = false;
     bool m_lookIsCurrent = false;
     bool m_positionsAreCurrent = false;
     render::Problems m_problems;

@@ -1,5 +1,6 @@
 // The part of the viewport that turns document, simulation and camera into what the renderer draws.
 #include "app/picture/scene_frame.h"
+#include "app/render/shader_library.h"
 #include "app/viewport/viewport.h"
 
 #include <algorithm>
@@ -34,10 +35,13 @@ void Viewport::buildFrame() {
     m_frame.cameraPosition = m_camera.eye();
     m_frame.devicePixelRatio = float(devicePixelRatio());
     m_frame.time = float(m_simulation.currentFrame()) / float(scene.simulation.framesPerSecond);
-    if (!m_lookIsCurrent)
+    if (!m_lookIsCurrent) {
         fillLook(scene, m_document.folder(), m_frame);
+        m_shaderTakesStrain = render::takesStrain(m_shaderDirectory, m_frame.surface.shader);
+    }
     if (!m_positionsAreCurrent)
-        fillSheet(scene, m_simulation.sheet(), m_simulation.shownFrame()->state.position, m_frame);
+        fillSheet(scene, m_simulation.sheet(), m_simulation.shownFrame()->state.position, m_shaderTakesStrain,
+                  m_frame);
     m_lookIsCurrent = m_positionsAreCurrent = true;
     buildHighlight();
     updateLegend();

@@ -48,7 +48,7 @@ void buildAndUpload(benchmark::State& state) {
     frame.light.shadows = false; // the shadow map is drawing
     std::size_t turn = 0;
     for (auto _ : state) {
-        fillSheet(scene, solver.sheet(), positions[turn ^= 1], frame);
+        fillSheet(scene, solver.sheet(), positions[turn ^= 1], false, frame);
         pass.prepare(*gl, frame, shaders);
     }
     pass.destroy(*gl);
