@@ -93,7 +93,7 @@ std::vector<UserUniform> findUserUniforms(Gl& gl, GLuint program, std::span<cons
     GLint strayUnit = kLastUnit;
     for (GLuint i = 0; i < static_cast<GLuint>(count); ++i) {
         const ActiveUniform active = activeUniform(gl, program, i);
-        if (active.location < 0 || ours(active.name.left(active.name.indexOf('['))))
+        if (active.location < 0 || ours(active.name.split('[').constFirst())) // of an array the name of all
             continue;
         const std::optional<UniformSpec::Type> type = typeOf(active.type);
         if (type && active.size == 1) {
