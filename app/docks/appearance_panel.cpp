@@ -130,7 +130,7 @@ void AppearancePanel::addTextureGroup() {
     for (std::size_t i = 0; i < m_textures.size(); ++i) {
         const QString label = tr("Texture %1").arg(i + 1);
         auto* row = new FileRow(label, tr("PNG or JPEG, u_texture_%1 of the shaders.").arg(i + 1),
-                                tr("texture_%1.png (built in)").arg(i + 1), FileRow::Kind::Picture);
+                                tr("Built in"), FileRow::Kind::Picture);
         const auto choose = [this, i, label](const QString& path) {
             editAppearance(tr("change %1").arg(label),
                            [&](Appearance& a) { a.textures[i] = path.toStdString(); });
@@ -144,7 +144,7 @@ void AppearancePanel::addTextureGroup() {
         new FileRow(tr("Cube map"),
                     tr("A folder with posx, negx, posy, negy, posz and negz, each .png or .jpg: what is all "
                        "around, u_texture_cubemap of the shaders."),
-                    tr("Studio (built in)"), FileRow::Kind::Folder);
+                    tr("Built in"), FileRow::Kind::Folder);
     const auto choose = [this](const QString& path) {
         editAppearance(tr("change the cube map"), [&](Appearance& a) { a.cubemap = path.toStdString(); });
     };

@@ -164,10 +164,7 @@ ShaderControls::Show ShaderControls::addColor(const UniformSpec& spec) {
 }
 
 ShaderControls::Show ShaderControls::addFile(const UniformSpec& spec) {
-    auto* row = new FileRow(spec.label, toolTipOf(spec),
-                            spec.initial.file.isEmpty() ? tr("texture_1.png (built in)")
-                                                        : tr("%1 (built in)").arg(spec.initial.file),
-                            FileRow::Kind::Picture);
+    auto* row = new FileRow(spec.label, toolTipOf(spec), tr("Built in"), FileRow::Kind::Picture);
     row->setObjectName(spec.name);
     connect(row, &FileRow::chosen, this, [this, spec](const QString& path) {
         UniformSetting setting;

@@ -1,5 +1,6 @@
 #include "app/render/marks_pass.h"
 
+#include "app/render/shader_inputs.h"
 #include "app/render/strain_colors.h"
 #include "app/render/surface_pass.h"
 #include "app/render/view_metrics.h"
@@ -16,6 +17,7 @@ const QVector4D kGridColor{0.62F, 0.65F, 0.69F, 1};
 constexpr std::array<float, kSpringTypes> kSpringWidth{1.6F, 1.2F, 2.8F};
 constexpr std::array<float, kSpringTypes> kSpringMaxFill{0.16F, 0.10F, 0.15F}; // of their own length
 constexpr std::array<float, kSpringTypes> kSpringNearer{4.0F, 3.5F, 3.0F};
+const std::map<QString, UniformSetting> kNoSettings;
 constexpr float kHighlightWidth = 4;
 constexpr float kDotRadius = 5;
 constexpr float kPinnedRadius = 4;
@@ -59,11 +61,11 @@ void MarksPass::destroy(Gl& gl) {
 }
 
 void MarksPass::draw(Gl& gl, const RenderFrame& frame, QSize pixels, ShaderLibrary& shaders,
-                     SheetBuffers& sheet) {
+                     TextureStore& textures, SheetBuffers& sheet) {
     m_pixels = pixels;
     drawGround(gl, frame, shaders.ground());
     if (isWireframe(frame) || frame.springs.overSurface)
-        drawSprings(gl, frame, shaders.springs(gl), sheet);
+        drawSprings(gl, frame, shaders.springs(gl), textures, sheet);
     drawHighlight(gl, frame, shaders);
     drawPinned(gl, frame, shaders.dots(), sheet);
     drawAxes(gl, frame, shaders.lines());
@@ -98,13 +100,16 @@ void MarksPass::setView(Gl& gl, const ShaderProgram& program, const QMatrix4x4& 
 
 // The thin ones last, so that their smooth edges blend with what lies under them.
 void MarksPass::drawSprings(Gl& gl, const RenderFrame& frame, const ShaderProgram& program,
-                            SheetBuffers& sheet) {
+                            TextureStore& textures, SheetBuffers& sheet) {
     program.use(gl);
     setView(gl, program, frame.viewProjection);
     program.set(gl, Uniform::Model, QMatrix4x4());
     program.set(gl, Uniform::CameraPosition, frame.cameraPosition);
     program.set(gl, Uniform::LightPosition, frame.light.position);
     program.set(gl, Uniform::LightIntensity, frame.light.intensity);
+    // What the user has set is of the shader that was chosen; over a surface that is another one.
+    setTextures(gl, frame.surface, program, textures);
+    setUserUniforms(gl, isWireframe(frame) ? frame.surface.uniforms : kNoSettings, program, textures);
     program.set(gl, Uniform::ByStrain, frame.springs.coloredByStrain ? 1 : 0);
     program.set(gl, Uniform::StrainRange, frame.strainRange);
     program.set(gl, Uniform::StrainColors, kStrainColors);

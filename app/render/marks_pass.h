@@ -4,6 +4,7 @@
 #include "app/render/axes_gizmo.h"
 #include "app/render/gpu_mesh.h"
 #include "app/render/shader_library.h"
+#include "app/render/texture_store.h"
 
 #include <QSize>
 
@@ -16,11 +17,13 @@ public:
     void destroy(Gl& gl);
 
     // With blending on.
-    void draw(Gl& gl, const RenderFrame& frame, QSize pixels, ShaderLibrary& shaders, SheetBuffers& sheet);
+    void draw(Gl& gl, const RenderFrame& frame, QSize pixels, ShaderLibrary& shaders, TextureStore& textures,
+              SheetBuffers& sheet);
 
 private:
     void drawGround(Gl& gl, const RenderFrame& frame, const ShaderProgram& program);
-    void drawSprings(Gl& gl, const RenderFrame& frame, const ShaderProgram& program, SheetBuffers& sheet);
+    void drawSprings(Gl& gl, const RenderFrame& frame, const ShaderProgram& program, TextureStore& textures,
+                     SheetBuffers& sheet);
     void drawHighlight(Gl& gl, const RenderFrame& frame, const ShaderLibrary& shaders);
     void drawPinned(Gl& gl, const RenderFrame& frame, const ShaderProgram& program, SheetBuffers& sheet);
     void drawAxes(Gl& gl, const RenderFrame& frame, const ShaderProgram& program);

@@ -62,7 +62,8 @@ public:
     ShaderLibrary shaders;
     TextureStore textures;
     Problems problems;
-    bool shaderWasBuilt = false;
+    QString shaderInUse;
+    bool wireframe = false;
 
 private:
     SurfacePass m_surfaces;
@@ -115,11 +116,12 @@ void Renderer::Passes::render(const RenderFrame& frame, QSize pixels) {
     clear(*gl, frame.background, pixels);
     m_surfaces.draw(*gl, frame, shaders, textures);
     gl->glEnable(GL_BLEND);
-    m_marks.draw(*gl, frame, pixels, shaders, m_surfaces.sheet());
+    m_marks.draw(*gl, frame, pixels, shaders, textures, m_surfaces.sheet());
     leaveState(*gl);
     m_target.end(*gl);
     problems = shaders.problems() + textures.problems();
-    shaderWasBuilt = shaders.takeSurfaceWasBuilt();
+    wireframe = isWireframe(frame);
+    shaderInUse = wireframe ? frame.surface.shader : shaders.surfaceInUse();
 }
 
 Renderer::Renderer() : m_passes(std::make_unique<Passes>()) {}
@@ -161,15 +163,20 @@ const Problems& Renderer::problems() const {
 }
 
 const QString& Renderer::shaderInUse() const {
-    return m_passes->shaders.surfaceInUse();
+    return m_passes->shaderInUse;
 }
 
-bool Renderer::shaderWasBuilt() const {
-    return m_passes->shaderWasBuilt;
+int Renderer::builds() const {
+    return m_passes->shaders.builds();
 }
 
 std::vector<UniformSpec> Renderer::uniforms() const {
-    return m_passes->shaders.surfaceUniforms();
+    std::vector<UniformSpec> specs;
+    const ShaderLibrary& shaders = m_passes->shaders;
+    for (const UserUniform& uniform :
+         m_passes->wireframe ? shaders.springUniforms() : shaders.surfaceUniforms())
+        specs.push_back(uniform.spec);
+    return specs;
 }
 
 } // namespace clothlab::render

@@ -49,13 +49,13 @@ public:
     // before it, a broken texture as a checker. Changes only in render().
     const Problems& problems() const;
 
-    // The surface shader that was last drawn, which is another one than asked for while that is broken; empty
+    // The shader that was last drawn, which is another one than asked for while that is broken; empty
     // before the first. And what the user may set of it, in the order of the file.
     const QString& shaderInUse() const;
     std::vector<UniformSpec> uniforms() const;
 
-    // Whether the last render() read a surface shader, so that uniforms() may be others.
-    bool shaderWasBuilt() const;
+    // How many times shaders were built so far: when it grows, uniforms() may be others.
+    int builds() const;
 
 private:
     class Passes;

@@ -118,7 +118,7 @@ const ShaderProgram& ShaderLibrary::surface(Gl& gl, const QString& name) {
                    {GL_FRAGMENT_SHADER, directory.filePath(name + QStringLiteral(".frag"))}},
                   m_surfaceProblems)) {
             m_goodSurfaceName = name;
-            m_surfaceWasBuilt = true;
+            ++m_builds;
         }
         gatherProblems();
     }
@@ -137,16 +137,10 @@ const ShaderProgram& ShaderLibrary::springs(Gl& gl) {
                    {GL_GEOMETRY_SHADER, kInternal + QStringLiteral("line.geom")},
                    {GL_FRAGMENT_SHADER, fragments}},
                   m_springsProblems);
+        ++m_builds;
         gatherProblems();
     }
     return m_springs.isValid() ? m_springs : m_lines;
-}
-
-std::vector<UniformSpec> ShaderLibrary::surfaceUniforms() const {
-    std::vector<UniformSpec> specs;
-    for (const UserUniform& uniform : m_surface.userUniforms())
-        specs.push_back(uniform.spec);
-    return specs;
 }
 
 void ShaderLibrary::gatherProblems() {

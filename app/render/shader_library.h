@@ -7,7 +7,6 @@
 #include <QString>
 #include <QStringList>
 
-#include <utility>
 #include <vector>
 
 namespace clothlab::render {
@@ -16,7 +15,8 @@ namespace clothlab::render {
 // there is one. Empty if there is no such directory.
 QStringList listShaders(const QString& directory);
 
-// Whether the shader of that name has a vertex shader of its own that takes in_strain. Looks at its text only.
+// Whether the shader of that name has a vertex shader of its own that takes in_strain. Looks at its text
+// only.
 bool takesStrain(const QString& directory, const QString& name);
 
 // NAME.frag is linked with NAME.vert of the same directory if there is one, else with Default.vert there,
@@ -46,10 +46,14 @@ public:
     // What is wrong with the shaders in use; empty if nothing is.
     const Problems& problems() const { return m_problems; }
 
-    // The surface shader whose program surface() last returned; empty for the plain one.
+    // The surface shader whose program surface() last returned; empty for the plain one. And what its user
+    // may set.
     const QString& surfaceInUse() const { return m_goodSurfaceName; }
-    std::vector<UniformSpec> surfaceUniforms() const;
-    bool takeSurfaceWasBuilt() { return std::exchange(m_surfaceWasBuilt, false); } // since it was last asked
+    const std::vector<UserUniform>& surfaceUniforms() const { return m_surface.userUniforms(); }
+    const std::vector<UserUniform>& springUniforms() const { return m_springs.userUniforms(); }
+
+    // How many programs were built so far: when it grows, the above may be others.
+    int builds() const { return m_builds; }
 
 private:
     bool buildInternal(Gl& gl, Problems& problems);
@@ -60,7 +64,7 @@ private:
     QString m_surfaceName;     // that was last tried
     QString m_goodSurfaceName; // that came out well: of m_surface
     ShaderProgram m_surface;
-    bool m_surfaceWasBuilt = false;
+    int m_builds = 0;
     Problems m_surfaceProblems;
 
     bool m_springsTried = false;

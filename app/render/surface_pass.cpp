@@ -1,6 +1,7 @@
 #include "app/render/surface_pass.h"
 
 #include "app/render/resample.h"
+#include "app/render/shader_inputs.h"
 #include "app/render/shapes.h"
 #include "app/render/strain_colors.h"
 
@@ -13,30 +14,8 @@ namespace {
 const QVector4D kColliderColor{0.46F, 0.48F, 0.51F, 1};
 const QVector4D kPlaneColor{0.36F, 0.37F, 0.39F, 1};
 
-// Of the texture directory.
-const std::array<QString, kTextureCount> kTextureFiles{
-    QStringLiteral("texture_1.png"), QStringLiteral("texture_2.png"), QStringLiteral("texture_3.png"),
-    QStringLiteral("texture_4.png")};
-const QString kCubemapFolder = QStringLiteral("cubemap");
-
 constexpr int kSphereSegments = 96; // and half as many rings, unless a resolution is asked for
 constexpr int kFinest = 512;
-
-// Texture units. OpenGL 3.3 has at least 16 of them.
-constexpr int kCubemapUnit = 4;
-constexpr int kShadowUnit = 5;
-constexpr int kFirstUserUnit = 6;
-constexpr int kUnits = 16;
-
-Uniform nth(Uniform first, std::size_t index) {
-    return static_cast<Uniform>(static_cast<std::size_t>(first) + index);
-}
-
-void bindTexture(Gl& gl, int unit, GLenum target, GLuint texture) {
-    gl.glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    gl.glBindTexture(target, texture);
-    gl.glActiveTexture(GL_TEXTURE0);
-}
 
 Bounds boundsOf(const FloatRows& positions) {
     if (positions.x.empty())
@@ -129,8 +108,9 @@ void SurfacePass::draw(Gl& gl, const RenderFrame& frame, ShaderLibrary& shaders,
         wireframe ? shaders.plainSurface() : shaders.surface(gl, frame.surface.shader);
     program.use(gl);
     setUniforms(gl, frame, program);
-    bindTextures(gl, frame, program, textures);
-    setUserUniforms(gl, frame, program, textures);
+    setTextures(gl, frame.surface, program, textures);
+    setShadows(gl, frame, program);
+    setUserUniforms(gl, frame.surface.uniforms, program, textures);
     drawColliders(gl, frame, program);
     if (wireframe)
         return;
@@ -153,29 +133,7 @@ void SurfacePass::setUniforms(Gl& gl, const RenderFrame& frame, const ShaderProg
     program.set(gl, Uniform::StrainColors, kStrainColors);
 }
 
-void SurfacePass::bindTextures(Gl& gl, const RenderFrame& frame, const ShaderProgram& program,
-                               TextureStore& textures) {
-    for (std::size_t i = 0; i < kTextureCount; ++i) {
-        if (!program.has(nth(Uniform::Texture1, i)) && !program.has(nth(Uniform::Texture1Size, i)))
-            continue;
-        const QString& chosen = frame.surface.textures[i];
-        const Texture& texture = textures.texture(gl, chosen.isEmpty() ? kTextureFiles[i] : chosen, false);
-        const int unit = static_cast<int>(i);
-        bindTexture(gl, unit, GL_TEXTURE_2D, texture.id);
-        program.set(gl, nth(Uniform::Texture1, i), unit);
-        program.set(
-            gl, nth(Uniform::Texture1Size, i),
-            QVector2D(static_cast<float>(texture.size.width()), static_cast<float>(texture.size.height())));
-    }
-    if (program.has(Uniform::TextureCubemap) || program.has(Uniform::Irradiance)) {
-        const QString& chosen = frame.surface.cubemap;
-        const Cubemap& cubemap = textures.cubemap(gl, chosen.isEmpty() ? kCubemapFolder : chosen);
-        gl.glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
-        bindTexture(gl, kCubemapUnit, GL_TEXTURE_CUBE_MAP, cubemap.id);
-        program.set(gl, Uniform::TextureCubemap, kCubemapUnit);
-        program.set(gl, Uniform::CubemapLevels, static_cast<float>(cubemap.levels));
-        program.set(gl, Uniform::Irradiance, cubemap.irradiance);
-    }
+void SurfacePass::setShadows(Gl& gl, const RenderFrame& frame, const ShaderProgram& program) {
     if (program.has(Uniform::ShadowMap)) {
         bindTexture(gl, kShadowUnit, GL_TEXTURE_2D, m_shadowMap.texture(gl));
         program.set(gl, Uniform::ShadowMap, kShadowUnit);
@@ -185,27 +143,6 @@ void SurfacePass::bindTextures(Gl& gl, const RenderFrame& frame, const ShaderPro
     toTexture.scale(0.5F);
     program.set(gl, Uniform::ShadowMatrix, toTexture * m_lightView);
     program.set(gl, Uniform::ShadowStrength, frame.light.shadows ? 1.0F : 0.0F);
-}
-
-void SurfacePass::setUserUniforms(Gl& gl, const RenderFrame& frame, const ShaderProgram& program,
-                                  TextureStore& textures) {
-    int unit = kFirstUserUnit;
-    for (const UserUniform& uniform : program.userUniforms()) {
-        const auto set = frame.surface.uniforms.find(uniform.spec.name);
-        const bool fits =
-            set != frame.surface.uniforms.end() && set->second.components == uniform.spec.initial.components;
-        const UniformSetting& setting = fits ? set->second : uniform.spec.initial;
-        if (uniform.spec.type != UniformSpec::Type::Sampler2D) {
-            program.set(gl, uniform, setting.numbers);
-            continue;
-        }
-        if (unit >= kUnits)
-            continue; // the driver would not have linked more
-        const QString file = setting.file.isEmpty() ? kTextureFiles[0] : setting.file;
-        bindTexture(gl, unit, GL_TEXTURE_2D, textures.texture(gl, file, uniform.spec.srgb).id);
-        program.set(gl, uniform, {static_cast<float>(unit)});
-        ++unit;
-    }
 }
 
 void SurfacePass::drawColliders(Gl& gl, const RenderFrame& frame, const ShaderProgram& program) {

@@ -28,9 +28,7 @@ private:
     void updateSphere(Gl& gl, int resolution);
     void drawShadowMap(Gl& gl, const RenderFrame& frame, const ShaderProgram& program);
     void setUniforms(Gl& gl, const RenderFrame& frame, const ShaderProgram& program);
-    void bindTextures(Gl& gl, const RenderFrame& frame, const ShaderProgram& program, TextureStore& textures);
-    void setUserUniforms(Gl& gl, const RenderFrame& frame, const ShaderProgram& program,
-                         TextureStore& textures);
+    void setShadows(Gl& gl, const RenderFrame& frame, const ShaderProgram& program);
     void drawColliders(Gl& gl, const RenderFrame& frame, const ShaderProgram& program);
     void drawSpheres(Gl& gl, const RenderFrame& frame, const ShaderProgram& program);
     SheetBuffers& surface(const RenderFrame& frame);

@@ -74,8 +74,9 @@ void GlCanvas::tellWhatIsNew() {
         m_problems = m_renderer.problems();
         emit problemsChanged(m_problems);
     }
-    if (m_renderer.shaderInUse() == m_shader && !m_renderer.shaderWasBuilt())
+    if (m_renderer.shaderInUse() == m_shader && m_renderer.builds() == m_builds)
         return;
+    m_builds = m_renderer.builds();
     std::vector<render::UniformSpec> uniforms = m_renderer.uniforms();
     if (m_renderer.shaderInUse() == m_shader && uniforms == m_uniforms)
         return;

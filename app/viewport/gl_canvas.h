@@ -40,6 +40,7 @@ private:
     render::Renderer m_renderer;
     render::Problems m_problems;
     QString m_shader;
+    int m_builds = 0; // of shaders, when last looked
     std::vector<render::UniformSpec> m_uniforms;
     QMetaObject::Connection m_contextConnection;
 };

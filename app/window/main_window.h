@@ -123,6 +123,7 @@ private:
     render::ShaderFolder* m_shaderFolder;
     SystemTheme* m_systemTheme;
     QString m_textureDirectory;
+    QString m_shaderProblem; // as shown above the view
     PictureDialog* m_pictureDialog = nullptr;
     QComboBox* m_shaderSelector = nullptr;
     std::array<QAction*, kSpringTypes> m_springActions{};

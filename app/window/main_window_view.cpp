@@ -94,13 +94,15 @@ void MainWindow::tellProblems() {
     for (const render::Problem& problem : problems)
         m_outputPanel->add(problem);
     if (problems.isEmpty()) {
-        m_messageBar->hide();
-        say(tr("The shader is drawn."));
+        if (m_messageBar->text() == m_shaderProblem)
+            m_messageBar->hide();
+        say(tr("Shaders and textures are in order."));
         return;
     }
     const auto more = problems.size() - 1;
-    m_messageBar->showProblem(render::words(problems.constFirst()) +
-                              (more > 0 ? tr("\n… and %1 more, in Output").arg(more) : QString()));
+    m_shaderProblem = render::words(problems.constFirst()) +
+                      (more > 0 ? tr("\n… and %1 more, in Output").arg(more) : QString());
+    m_messageBar->showProblem(m_shaderProblem);
 }
 
 bool MainWindow::mayDropShaderText() {

@@ -70,7 +70,7 @@ constexpr std::array kParameters = {
               "Each side of the sheet is lit as if it faced the light; off, the back is lit as if it were "
               "the front.",
               Kind::Boolean, 0, 1, 0, 1, false, 1, CLOTHLAB_FIELD(bool, appearance.twoSided)},
-    Parameter{"appearance.strain_range", "Strain at the end", "",
+    Parameter{"appearance.strain_range", "Range", "",
               "Share of its length that a spring is longer or shorter by where the colours of strain end; 0 "
               "takes the greatest of the frame.",
               Kind::Real, 0, 10, 0, 0.5, false, 1, CLOTHLAB_FIELD(double, appearance.strainRange), 1e-6},
@@ -103,10 +103,10 @@ constexpr std::array kParameters = {
               "Cells along a side of the drawn sheet and spheres; more let displacement show finer relief, 0 "
               "draws them as simulated.",
               Kind::Integer, 0, 512, 0, 512, false, 1, CLOTHLAB_FIELD(int, appearance.meshResolution), 16},
-    Parameter{"appearance.normal_scaling", "Bump strength", "",
+    Parameter{"appearance.normal_scaling", "Normal scaling", "",
               "How strongly a height map bends the light on the surface; below 0 heights become dents.",
               Kind::Real, -100, 100, -10, 10, false, 1, CLOTHLAB_FIELD(double, appearance.normalScaling)},
-    Parameter{"appearance.height_scaling", "Height of relief", "",
+    Parameter{"appearance.height_scaling", "Height scaling", "",
               "How far a height map moves the surface itself; below 0 it moves inwards.", Kind::Real, -10, 10,
               -1, 1, false, 1, CLOTHLAB_FIELD(double, appearance.heightScaling)},
 };
