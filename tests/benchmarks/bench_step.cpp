@@ -3,9 +3,9 @@
 // ratios.
 //
 //   bench_step [--benchmark_filter=REGEX] …   (options of Google Benchmark)
-#include "simcore/scene/scene_io.h"
 #include "simcore/solver/verlet_solver.h"
 #include "tests/support/oracle.h"
+#include "tests/support/shipped_scene.h"
 #include "tests/support/states.h"
 
 #include <benchmark/benchmark.h>
@@ -23,10 +23,7 @@ const std::atomic<bool> kGoOn = false;
 // A scene of the course with other numbers of points. Thickness goes with the spacing, so that points have as
 // many neighbours, and stiffness with its square, so that the step is as stable.
 Scene courseScene(const std::string& name, int size, bool selfCollision) {
-    const SceneReading reading = loadScene(CLOTHLAB_SOURCE_DIR "/scenes/" + name + ".json");
-    if (!reading.scene)
-        std::abort();
-    Scene scene = *reading.scene;
+    Scene scene = test::shippedScene(name);
     const double finer = size / 50.0;
     for (GridPoint& pin : scene.cloth.pinned)
         pin = {pin.x * (size - 1) / 49, pin.y * (size - 1) / 49};

@@ -1,7 +1,7 @@
 // simcore's step against the plain reading of the model, over whole runs of the course's scenes.
-#include "simcore/scene/scene_io.h"
 #include "simcore/solver/verlet_solver.h"
 #include "tests/support/oracle_run.h"
+#include "tests/support/shipped_scene.h"
 #include "tests/support/states.h"
 
 #include <QtTest>
@@ -11,10 +11,8 @@ using namespace clothlab;
 namespace {
 
 Start courseScene(const QString& file) {
-    const SceneReading reading = loadScene(CLOTHLAB_SOURCE_DIR "/scenes/" + file.toStdString());
-    if (!reading.scene)
-        return {};
-    return {*reading.scene, startState(*reading.scene)};
+    const Scene scene = test::shippedScene(file.chopped(5).toStdString()); // without .json
+    return {scene, startState(scene)};
 }
 
 // Fast enough to reach the sphere or the plane in time, and with ends that stretch the sheet.

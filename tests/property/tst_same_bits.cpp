@@ -3,10 +3,10 @@
 // With CLOTHLAB_LONG=1 in the environment, the scenes of the course run 10,000 steps in every way, and random
 // scenes run in all ways instead of one each. That takes minutes, more than ctest allows: start
 // build/release/tests/property_same_bits itself, with QTEST_FUNCTION_TIMEOUT=3600000.
-#include "simcore/scene/scene_io.h"
 #include "tests/support/oracle_run.h"
 #include "tests/support/random_run.h"
 #include "tests/support/settings.h"
+#include "tests/support/shipped_scene.h"
 #include "tests/support/states.h"
 
 #include <QElapsedTimer>
@@ -26,11 +26,6 @@ constexpr int kRandomSteps = 300;
 
 bool isLong() {
     return qEnvironmentVariableIntValue("CLOTHLAB_LONG") != 0;
-}
-
-Scene courseScene(const QString& file) {
-    const SceneReading reading = loadScene(CLOTHLAB_SOURCE_DIR "/scenes/" + file.toStdString() + ".json");
-    return reading.scene.value_or(Scene{});
 }
 
 // False if it blew up.
@@ -169,7 +164,7 @@ void TestSameBits::courseScenes_data() {
 
 void TestSameBits::courseScenes() {
     QFETCH(QString, file);
-    const Scene scene = courseScene(file);
+    const Scene scene = test::shippedScene(file.toStdString());
     QVERIFY2(scene != Scene{}, "the scene does not load");
     ClothState state = startState(scene);
     if (!isLong()) {
@@ -210,7 +205,7 @@ void TestSameBits::runsCutIntoPieces_data() {
 
 void TestSameBits::runsCutIntoPieces() {
     QFETCH(QString, file);
-    const Scene scene = courseScene(file);
+    const Scene scene = test::shippedScene(file.toStdString());
     QVERIFY2(scene != Scene{}, "the scene does not load");
     ClothState start = startState(scene);
     VerletSolver reference(scene);

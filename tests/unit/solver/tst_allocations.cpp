@@ -1,7 +1,7 @@
 // A run allocates nothing from the second on, unless the sheet crowds more than ever before. This counts all
 // calls of operator new and of aligned_alloc, which RowArrays uses (tests/CMakeLists.txt wraps it).
-#include "simcore/scene/scene_io.h"
 #include "simcore/solver/verlet_solver.h"
+#include "tests/support/shipped_scene.h"
 
 #include <QtTest>
 
@@ -56,11 +56,6 @@ void operator delete(void* block, std::size_t, std::align_val_t) noexcept {
 using namespace clothlab;
 
 namespace {
-
-Scene courseScene(const QString& file) {
-    const SceneReading reading = loadScene(CLOTHLAB_SOURCE_DIR "/scenes/" + file.toStdString() + ".json");
-    return reading.scene.value_or(Scene{});
-}
 
 // Of the frames; -1 if the sheet blew up.
 std::int64_t allocationsOf(VerletSolver& solver, ClothState& state, int frames) {
@@ -126,7 +121,7 @@ void TestAllocations::noneWhileNothingCrowdsMore() {
     QFETCH(int, framesOnOne);
     QFETCH(int, framesBefore);
     QFETCH(int, frames);
-    const Scene scene = courseScene(file);
+    const Scene scene = test::shippedScene(file.toStdString());
     QVERIFY2(scene != Scene{}, "the scene does not load");
     ClothState state = startState(scene);
     VerletSolver onOne(scene, {1}); // on a busy machine much faster than two
@@ -140,7 +135,7 @@ void TestAllocations::noneWhileNothingCrowdsMore() {
 void TestAllocations::noneWhenAllHappensAgain() {
     QFETCH(QString, file);
     QFETCH(int, threads);
-    const Scene scene = courseScene(file);
+    const Scene scene = test::shippedScene(file.toStdString());
     QVERIFY2(scene != Scene{}, "the scene does not load");
     VerletSolver solver(scene, {threads, 1});
     ClothState state = startState(scene);
