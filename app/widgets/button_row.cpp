@@ -37,7 +37,7 @@ ButtonRow::ButtonRow(const QString& label, const QString& toolTip, QWidget* pare
     layout->addWidget(m_label);
     layout->addWidget(m_button, 1);
     layout->addWidget(m_reset);
-    m_label->setCursor(Qt::ArrowCursor); // here there is nothing to drag
+    m_label->setCursor(Qt::ArrowCursor);   // here there is nothing to drag
     m_button->setProperty("choice", true); // for the style sheet: it looks like a field
     m_button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // however long the name is
     m_button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);

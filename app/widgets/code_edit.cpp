@@ -1,5 +1,6 @@
 #include "app/widgets/code_edit.h"
 
+#include "app/widgets/glsl_highlighter.h"
 #include "app/widgets/theme.h"
 
 #include <QFontDatabase>
@@ -28,7 +29,8 @@ private:
     CodeEdit* m_edit;
 };
 
-CodeEdit::CodeEdit(QWidget* parent) : QPlainTextEdit(parent), m_margin(new Margin(this)) {
+CodeEdit::CodeEdit(QWidget* parent)
+    : QPlainTextEdit(parent), m_margin(new Margin(this)), m_highlighter(new GlslHighlighter(document())) {
     setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     setLineWrapMode(NoWrap);
     constexpr int tabColumns = 4;
@@ -119,8 +121,10 @@ void CodeEdit::resizeEvent(QResizeEvent* event) {
 
 void CodeEdit::changeEvent(QEvent* event) {
     QPlainTextEdit::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange)
+    if (event->type() == QEvent::PaletteChange && m_margin) {
+        m_highlighter->rehighlight();
         markLines();
+    }
     if (event->type() == QEvent::FontChange && m_margin)
         placeMargin();
 }

@@ -1,10 +1,12 @@
-// A field for program text, with line numbers and marked lines.
+// A field for the text of a shader, with colours, line numbers and marked lines.
 #pragma once
 
 #include <QList>
 #include <QPlainTextEdit>
 
 namespace clothlab {
+
+class GlslHighlighter;
 
 class CodeEdit : public QPlainTextEdit {
     Q_OBJECT
@@ -32,6 +34,7 @@ private:
     void markLines();
 
     Margin* m_margin = nullptr;
+    GlslHighlighter* m_highlighter;
     QList<int> m_marked;
 };
 
