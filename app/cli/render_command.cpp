@@ -2,10 +2,10 @@
 
 #include "app/cli/arguments.h"
 #include "app/document/data_files.h"
-#include "app/render/offscreen_picture.h"
-#include "app/render/shader_library.h"
 #include "app/picture/camera.h"
 #include "app/picture/scene_frame.h"
+#include "app/render/offscreen_picture.h"
+#include "app/render/shader_library.h"
 #include "simcore/inspect/blow_up_text.h"
 #include "simcore/scene/scene_io.h"
 #include "simcore/solver/frame_runner.h"
@@ -62,7 +62,7 @@ QString parse(const QStringList& arguments, Options& options) {
     if (parser.isSet("shader-dir"))
         options.source.shaderDirectory = parser.value("shader-dir");
     const QString& directory = options.source.shaderDirectory;
-    if (!QDir(directory).exists())
+    if (directory.isEmpty() || !QDir(directory).exists())
         return QStringLiteral("--shader-dir: there is no folder '%1'").arg(directory);
     options.shader = parser.value("shader");
     const QStringList shaders = render::listShaders(directory);
