@@ -71,9 +71,7 @@ private slots:
     void theRangeOfStrainFitsTheRecording();
     void aMeshTooCoarseIsRefusedInWords();
     void stepsAndDragsPassOverMeshesTooCoarse();
-    void aShaderThatIsNotThereIsListed();
     void theLookDoesNotDisturbARun();
-    void theShaderIsOpenedByItsButton();
 
 private:
     AppearancePanel& panel() { return (*m_window)->appearancePanel(); }
@@ -359,23 +357,6 @@ void TestAppearance::stepsAndDragsPassOverMeshesTooCoarse() {
     QCOMPARE(steps(), 0); // back where the run of steps began
 }
 
-void TestAppearance::aShaderThatIsNotThereIsListed() {
-    const int count = panel().shaderBox()->count();
-    Scene scene = smallScene();
-    scene.appearance.shader = "Velvet";
-    QVERIFY(m_window->load(scene));
-    auto* selector = (*m_window)->findChild<QComboBox*>("shaderSelector");
-    for (QComboBox* box : {panel().shaderBox(), selector}) {
-        QCOMPARE(box->currentText(), QStringLiteral("Velvet"));
-        QCOMPARE(box->count(), count + 1);
-    }
-    m_window->document().newScene();
-    for (QComboBox* box : {panel().shaderBox(), selector}) {
-        QCOMPARE(box->currentText(), QStringLiteral("Phong"));
-        QCOMPARE(box->count(), count);
-    }
-}
-
 void TestAppearance::theLookDoesNotDisturbARun() {
     QVERIFY(m_window->simulateTo(5));
     m_window->simulation().showFrame(3);
@@ -399,13 +380,6 @@ void TestAppearance::theLookDoesNotDisturbARun() {
     TRY_VERIFY(m_window->frameCount() > count);
     QCOMPARE(m_window->simulation().firstStaleFrame(), m_window->frameCount());
     m_window->key(Qt::Key_Space);
-}
-
-void TestAppearance::theShaderIsOpenedByItsButton() {
-    m_window->click(panel().findChild<QWidget*>("editShader"));
-    QDockWidget* dock = (*m_window)->dock("shader");
-    TRY_VERIFY(!dock->visibleRegion().isEmpty());
-    QCOMPARE(QFileInfo((*m_window)->shaderEditor().path()).fileName(), QStringLiteral("Phong.frag"));
 }
 
 CLOTHLAB_GUI_TEST_MAIN(TestAppearance)

@@ -33,6 +33,7 @@ private slots:
     void drawnSpringsAndSpringsThatPullAreTwoThings();
     void countsOfSpringsAreThoseOfTheSheet();
     void bothShaderSelectorsShowTheSame();
+    void aShaderThatIsNotThereIsListed();
 
 private:
     const Parameter& parameterOf(const ParameterRow* row) {
@@ -218,6 +219,24 @@ void TestParameters::bothShaderSelectorsShowTheSame() {
     boxes[1]->setFocus();
     m_window->key(Qt::Key_Up);
     QCOMPARE(boxes[0]->currentText(), boxes[1]->currentText());
+}
+
+void TestParameters::aShaderThatIsNotThereIsListed() {
+    QComboBox* own = (*m_window)->appearancePanel().shaderBox();
+    const int count = own->count();
+    Scene scene = smallScene();
+    scene.appearance.shader = "Velvet";
+    QVERIFY(m_window->load(scene));
+    auto* selector = (*m_window)->findChild<QComboBox*>("shaderSelector");
+    for (QComboBox* box : {own, selector}) {
+        QCOMPARE(box->currentText(), QStringLiteral("Velvet"));
+        QCOMPARE(box->count(), count + 1);
+    }
+    m_window->document().newScene();
+    for (QComboBox* box : {own, selector}) {
+        QCOMPARE(box->currentText(), QStringLiteral("Phong"));
+        QCOMPARE(box->count(), count);
+    }
 }
 
 CLOTHLAB_GUI_TEST_MAIN(TestParameters)

@@ -80,7 +80,7 @@ void TestShaderEditor::init() {
 void TestShaderEditor::theShaderThatIsDrawnIsOpened() {
     QVERIFY(edit().isReadOnly() && edit().toPlainText().isEmpty());
     QVERIFY(!editor().saveButton()->isEnabled());
-    m_window->key(Qt::Key_E, Qt::ControlModifier);
+    m_window->click((*m_window)->appearancePanel().findChild<QWidget*>("editShader"));
     TRY_VERIFY(edit().isVisible() && edit().hasFocus());
     QCOMPARE(editor().path(), shader("Phong.frag"));
     QCOMPARE(edit().toPlainText().toUtf8(), m_text);
