@@ -37,13 +37,22 @@ void setSurfaceFormat() {
 }
 
 QtMessageHandler nextHandler = nullptr;
+bool draws = false; // a picture, without a window
+
+const char* whatFor() {
+    return draws ? "to draw with" : "to open a window on";
+}
+
+const char* whatDoes() {
+    return draws ? kNoServer : kNoWindow;
+}
 
 // When a display cannot be opened, Qt says so as a fatal message and would end the program with a signal.
 void noDisplayIsWrongUsage(QtMsgType type, const QMessageLogContext& context, const QString& message) {
     if (type != QtFatalMsg)
         return nextHandler(type, context, message);
-    std::fprintf(stderr, "clothlab: no display to open a window on (%s); %s\n",
-                 qPrintable(message.section('\n', 0, 0)), kNoWindow);
+    std::fprintf(stderr, "clothlab: no display %s (%s); %s\n", whatFor(),
+                 qPrintable(message.section('\n', 0, 0)), whatDoes());
     std::_Exit(clothlab::cli::WrongUsage);
 }
 
@@ -56,15 +65,14 @@ int usageError(const char* message) {
 
 int main(int argc, char** argv) {
     const QStringList given = argumentsOf(argc, argv);
-    const bool draws = clothlab::cli::drawsPictures(given);
+    draws = clothlab::cli::drawsPictures(given);
     if (clothlab::cli::isCommand(given) && !draws) {
         const QCoreApplication application(argc, argv);
         return clothlab::cli::runCommand(QCoreApplication::arguments().mid(1));
     }
 #ifdef Q_OS_LINUX
     if (!hasDisplay()) {
-        std::fprintf(stderr, "clothlab: no display %s (DISPLAY is not set); %s\n",
-                     draws ? "to draw with" : "to open a window on", draws ? kNoServer : kNoWindow);
+        std::fprintf(stderr, "clothlab: no display %s (DISPLAY is not set); %s\n", whatFor(), whatDoes());
         return clothlab::cli::WrongUsage;
     }
 #endif

@@ -67,7 +67,7 @@ QString parse(const QStringList& arguments, Options& options) {
     if (parser.isSet("shader-dir"))
         options.source.shaderDirectory = parser.value("shader-dir");
     const QString& directory = options.source.shaderDirectory;
-    if (!QDir(directory).exists())
+    if (directory.isEmpty() || !QDir(directory).exists())
         return QStringLiteral("--shader-dir: there is no folder '%1'").arg(directory);
     options.shader = parser.value("shader");
     const QStringList shaders = render::listShaders(directory);

@@ -26,6 +26,7 @@ ParameterSpec specOf(const Parameter& parameter) {
     spec.toolTip = parameterToolTip(parameter);
     spec.minimum = parameter.minimum / parameter.panelDivisor;
     spec.maximum = parameter.maximum / parameter.panelDivisor;
+    spec.leastButZero = parameter.leastButZero / parameter.panelDivisor;
     spec.sliderMinimum = parameter.sliderMinimum / parameter.panelDivisor;
     spec.sliderMaximum = parameter.sliderMaximum / parameter.panelDivisor;
     spec.defaultValue = parameter.defaultValue() / parameter.panelDivisor;
@@ -95,10 +96,7 @@ QWidget* ParameterPanel::makeCheckBox(const Parameter& parameter) {
 }
 
 void ParameterPanel::setParameter(const Parameter& parameter, double value, int gesture) {
-    double inRange = std::clamp(value, parameter.minimum, parameter.maximum);
-    // A slider passes over what lies between zero and the least.
-    if (inRange > 0 && inRange < parameter.leastButZero)
-        inRange = 2 * inRange < parameter.leastButZero ? 0 : parameter.leastButZero;
+    const double inRange = std::clamp(value, parameter.minimum, parameter.maximum);
     if (const auto problem = m_document.setParameter(parameter, inRange, gesture)) {
         emit rejected(*problem);
         showScene();

@@ -86,7 +86,9 @@ bool ShaderEditor::read() {
 bool ShaderEditor::save() {
     if (!isModified())
         return true;
-    const QByteArray text = m_edit->toPlainText().toUtf8();
+    QByteArray text = m_edit->toPlainText().toUtf8();
+    if (m_saved.contains("\r\n")) // as the file had them
+        text.replace("\n", "\r\n");
     QSaveFile file(m_path);
     if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit()) {
         emit problem(tr("%1 could not be written: %2").arg(m_path, file.errorString()));

@@ -1,6 +1,7 @@
 #include "app/document/document.h"
 
 #include "app/document/edit_scene_command.h"
+#include "app/document/scene_files.h"
 #include "simcore/inspect/stability.h"
 #include "simcore/scene/pins.h"
 #include "simcore/scene/range.h"
@@ -42,7 +43,8 @@ Diagnostics Document::open(const QString& path) {
     SceneReading reading = loadScene(path.toStdString());
     if (reading.scene) {
         warnOfStep(*reading.scene, reading.diagnostics);
-        replaceScene(std::move(*reading.scene), QFileInfo(path).absoluteFilePath());
+        replaceScene(withAbsoluteFiles(std::move(*reading.scene), QFileInfo(path).absolutePath()),
+                     QFileInfo(path).absoluteFilePath());
     }
     return reading.diagnostics;
 }
@@ -58,7 +60,8 @@ void Document::replaceScene(Scene scene, const QString& path) {
 }
 
 std::optional<QString> Document::save(const QString& path) {
-    if (const auto error = saveScene(*m_scene, path.toStdString()))
+    const Scene scene = withRelativeFiles(*m_scene, QFileInfo(path).absolutePath());
+    if (const auto error = saveScene(scene, path.toStdString()))
         return QString::fromStdString(*error);
     m_path = QFileInfo(path).absoluteFilePath();
     m_undoStack.setClean();

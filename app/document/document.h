@@ -21,6 +21,7 @@ class Document : public QObject {
 public:
     explicit Document(QObject* parent = nullptr);
 
+    // Names the files of its textures absolutely; its own file names them relative to itself.
     const Scene& scene() const { return *m_scene; }
     std::shared_ptr<const Scene> snapshot() const {
         return m_scene;

@@ -96,7 +96,7 @@ void ParameterRow::buildSlider() {
     connect(m_slider, &ValueSlider::dragStarted, this, &ParameterRow::startDrag);
     connect(m_slider, &ValueSlider::dragged, this, [this](double value) {
         // The slider may be wider than what is allowed.
-        change(std::clamp(value, m_spec.minimum, m_spec.maximum), m_dragGesture);
+        change(passedOver(std::clamp(value, m_spec.minimum, m_spec.maximum)), m_dragGesture);
     });
     connect(m_slider, &ValueSlider::dragEnded, this, &ParameterRow::refresh);
 }
@@ -104,7 +104,7 @@ void ParameterRow::buildSlider() {
 void ParameterRow::connectLabel() {
     connect(m_label, &DragLabel::dragStarted, this, &ParameterRow::startDrag);
     connect(m_label, &DragLabel::dragged, this,
-            [this](double pixels) { change(valueAfterDrag(pixels), m_dragGesture); });
+            [this](double pixels) { change(passedOver(valueAfterDrag(pixels)), m_dragGesture); });
     connect(m_label, &DragLabel::doubleClicked, this, [this] {
         settleField();
         change(m_spec.defaultValue, 0);
@@ -119,6 +119,10 @@ void ParameterRow::connectField() {
             m_stepGesture = 0;
         } else if (m_stepGesture == 0) {
             m_stepGesture = newGesture();
+        }
+        if (m_field->isStepping() && value > 0 && value < m_spec.leastButZero) {
+            value = m_shown == 0 ? m_spec.leastButZero : 0;
+            m_field->setValue(value);
         }
         refresh();
         emit edited(value, m_stepGesture);
@@ -175,6 +179,13 @@ double ParameterRow::valueAfterDrag(double pixels) const {
     return std::clamp(value, m_spec.minimum, m_spec.maximum);
 }
 
+double ParameterRow::passedOver(double value) const {
+    if (value <= 0 || value >= m_spec.leastButZero) {
+        return value;
+    }
+    return 2 * value < m_spec.leastButZero ? 0 : m_spec.leastButZero;
+}
+
 void ParameterRow::change(double value, int gesture) {
     if (value == m_field->value()) {
         return;
@@ -186,6 +197,7 @@ void ParameterRow::change(double value, int gesture) {
 
 void ParameterRow::refresh() {
     const double current = m_field->value();
+    m_shown = current;
     if (m_slider != nullptr) {
         m_slider->showValue(current);
     }

@@ -18,6 +18,7 @@ struct ParameterSpec {
     QString toolTip{};
     double minimum = -std::numeric_limits<double>::infinity(); // what the field accepts, ends included
     double maximum = std::numeric_limits<double>::infinity();
+    double leastButZero = 0;  // above 0: steps and drags pass over what is between 0 and this
     double sliderMinimum = 0; // what is sensible; also sets how far a drag of the label goes
     double sliderMaximum = 1; // > sliderMinimum
     double defaultValue = 0;
@@ -71,6 +72,7 @@ private:
     void settleField();
     void startDrag();
     double valueAfterDrag(double pixels) const;
+    double passedOver(double value) const;
     void change(double value, int gesture);
     void refresh();
     void updateToolTips();
@@ -81,6 +83,7 @@ private:
     NumberField* m_field;
     Dot* m_dot;
     QString m_disabledReason;
+    double m_shown = 0; // as of the last refresh()
     double m_dragStart = 0;
     int m_dragGesture = 0;
     int m_stepGesture = 0; // 0: the next step begins a run

@@ -44,7 +44,9 @@ QString parseWindowOptions(const QStringList& arguments, WindowOptions& options)
             return QStringLiteral("--size takes WIDTHxHEIGHT in pixels, not '%1'").arg(parser.value("size"));
     }
     options.shaderDirectory = parser.value("shader-dir");
-    if (parser.isSet("shader-dir") && !QDir(options.shaderDirectory).exists())
+    // An empty name would be the folder that the program was started in.
+    if (parser.isSet("shader-dir") &&
+        (options.shaderDirectory.isEmpty() || !QDir(options.shaderDirectory).exists()))
         return QStringLiteral("--shader-dir: there is no folder '%1'").arg(options.shaderDirectory);
     return {};
 }

@@ -2,11 +2,15 @@
 // where the platform's do, so that shortcuts, focus, and what lies over what all count.
 #pragma once
 
+#include "app/docks/appearance_panel.h"
 #include "app/docks/inspector_panel.h"
+#include "app/docks/output_panel.h"
+#include "app/docks/shader_editor.h"
 #include "app/docks/simulation_panel.h"
 #include "app/docks/springs_panel.h"
 #include "app/docks/timeline_panel.h"
 #include "app/viewport/viewport.h"
+#include "app/widgets/foldable_group.h"
 #include "app/widgets/number_field.h"
 #include "app/widgets/parameter_row.h"
 #include "app/window/actions.h"
@@ -17,7 +21,6 @@
 
 #include <QApplication>
 #include <QDockWidget>
-#include <QPlainTextEdit>
 #include <QScrollArea>
 #include <QStatusBar>
 #include <QTemporaryDir>
@@ -48,7 +51,11 @@ inline Scene smallScene() {
 
 class TestWindow {
 public:
-    explicit TestWindow(QSize size = {1440, 900}) : m_size(size) { open(); }
+    // shaders: a folder of them; empty for that of the program.
+    explicit TestWindow(QSize size = {1440, 900}, const QString& shaders = {})
+        : m_size(size), m_shaders(shaders) {
+        open();
+    }
 
     MainWindow* operator->() { return m_window.get(); }
     MainWindow& operator*() { return *m_window; }
@@ -61,7 +68,7 @@ public:
     NumberField* field(const QString& parameter) {
         return m_window->simulationPanel().row(parameter)->field();
     }
-    QString output() { return m_window->findChild<QPlainTextEdit*>()->toPlainText(); }
+    QString output() { return m_window->outputPanel().toPlainText(); }
 
     // In the folder of this test.
     QString path(const QString& name) const { return m_folder.filePath(name); }
@@ -82,13 +89,20 @@ public:
     void open() {
         m_window.reset();
         m_window = std::make_unique<MainWindow>(
-            std::make_unique<QSettings>(path("settings.ini"), QSettings::IniFormat));
+            std::make_unique<QSettings>(path("settings.ini"), QSettings::IniFormat), m_shaders);
         m_window->resize(m_size);
         m_window->show();
         m_window->activateWindow();
         if (!QTest::qWaitForWindowExposed(m_window.get(), kPatience) ||
             !QTest::qWaitForWindowActive(m_window.get(), kPatience))
             qFatal("the window does not appear");
+    }
+
+    // Every group of every panel, so that what is in them can be clicked.
+    void unfoldAll() {
+        for (FoldableGroup* group : m_window->findChildren<FoldableGroup*>())
+            group->setFolded(false);
+        QApplication::processEvents();
     }
 
     // Shows frame `last`, simulating as far as is needed.
@@ -171,6 +185,7 @@ private:
 
     QTemporaryDir m_folder;
     QSize m_size;
+    QString m_shaders;
     std::unique_ptr<MainWindow> m_window;
 };
 

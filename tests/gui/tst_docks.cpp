@@ -14,7 +14,7 @@ private slots:
     void cleanup() { m_window.reset(); }
 
     void everyPanelIsThereAndMayBeMovedFloatedAndClosed();
-    void theViewMenuHidesAndShowsEveryPanel();
+    void theMenuPanelsHidesAndShowsEveryPanel();
     void panelsFloatByADoubleClickOnTheirTitleAndWorkThere();
     void panelsCanBeTabbed();
     void resetPutsEverythingBack();
@@ -25,10 +25,12 @@ private slots:
     void nothingIsClippedInASmallWindow();
     void fullScreenIsLeftAsItWasEntered();
     void theThemeIsKeptBetweenRuns();
+    void theThemeMayBeThatOfTheSystem();
 
 private:
     MainWindow& window() { return **m_window; }
-    const QStringList m_names{"springs", "appearance", "inspector", "simulation", "timeline", "output"};
+    const QStringList m_names{"springs",  "appearance", "inspector", "simulation",
+                              "timeline", "output",     "shader"};
     // Where each panel is and whether it can be seen.
     QMap<QString, QRect> places() {
         QMap<QString, QRect> found;
@@ -64,13 +66,14 @@ void TestDocks::everyPanelIsThereAndMayBeMovedFloatedAndClosed() {
     }
 }
 
-void TestDocks::theViewMenuHidesAndShowsEveryPanel() {
+void TestDocks::theMenuPanelsHidesAndShowsEveryPanel() {
     QMenu* panels = nullptr;
     for (QMenu* menu : window().menuBar()->findChildren<QMenu*>())
         if (menu->actions().contains(window().dock("springs")->toggleViewAction()))
             panels = menu;
     QVERIFY(panels);
-    QCOMPARE(panels->actions().size(), m_names.size());
+    QVERIFY(panels->actions().contains(window().actions().hidePanels));
+    QVERIFY(panels->actions().contains(window().actions().resetLayout));
     for (const QString& name : m_names) {
         QDockWidget* dock = window().dock(name);
         QAction* action = dock->toggleViewAction();
@@ -227,6 +230,19 @@ void TestDocks::theThemeIsKeptBetweenRuns() {
     QVERIFY(window().actions().lightTheme->isChecked());
     window().actions().darkTheme->trigger();
     QCOMPARE(currentTheme(), Theme::Dark);
+}
+
+void TestDocks::theThemeMayBeThatOfTheSystem() {
+    const Actions& actions = window().actions();
+    QVERIFY(actions.systemTheme->isChecked()); // as the program comes
+    actions.lightTheme->trigger();
+    QVERIFY(!actions.systemTheme->isChecked());
+    actions.systemTheme->trigger();
+    QVERIFY(!actions.lightTheme->isChecked());
+    m_window->open();
+    QVERIFY(window().actions().systemTheme->isChecked());
+    QCOMPARE(QSettings(m_window->path("settings.ini"), QSettings::IniFormat).value("theme").toString(),
+             QStringLiteral("system"));
 }
 
 CLOTHLAB_GUI_TEST_MAIN(TestDocks)

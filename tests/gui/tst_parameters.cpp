@@ -33,6 +33,7 @@ private slots:
     void drawnSpringsAndSpringsThatPullAreTwoThings();
     void countsOfSpringsAreThoseOfTheSheet();
     void bothShaderSelectorsShowTheSame();
+    void aShaderThatIsNotThereIsListed();
 
 private:
     const Parameter& parameterOf(const ParameterRow* row) {
@@ -207,8 +208,8 @@ void TestParameters::countsOfSpringsAreThoseOfTheSheet() {
 }
 
 void TestParameters::bothShaderSelectorsShowTheSame() {
-    const auto boxes = (*m_window)->findChildren<QComboBox*>();
-    QCOMPARE(boxes.size(), 2);
+    const QList<QComboBox*> boxes{(*m_window)->findChild<QComboBox*>("shaderSelector"),
+                                  (*m_window)->appearancePanel().shaderBox()};
     for (const char* shader : {"Wireframe", "Normal", "Diffuse", "Phong"})
         QVERIFY2(boxes[0]->findText(shader) >= 0 && boxes[1]->findText(shader) >= 0, shader);
     boxes[0]->setFocus();
@@ -218,6 +219,24 @@ void TestParameters::bothShaderSelectorsShowTheSame() {
     boxes[1]->setFocus();
     m_window->key(Qt::Key_Up);
     QCOMPARE(boxes[0]->currentText(), boxes[1]->currentText());
+}
+
+void TestParameters::aShaderThatIsNotThereIsListed() {
+    QComboBox* own = (*m_window)->appearancePanel().shaderBox();
+    const int count = own->count();
+    Scene scene = smallScene();
+    scene.appearance.shader = "Velvet";
+    QVERIFY(m_window->load(scene));
+    auto* selector = (*m_window)->findChild<QComboBox*>("shaderSelector");
+    for (QComboBox* box : {own, selector}) {
+        QCOMPARE(box->currentText(), QStringLiteral("Velvet"));
+        QCOMPARE(box->count(), count + 1);
+    }
+    m_window->document().newScene();
+    for (QComboBox* box : {own, selector}) {
+        QCOMPARE(box->currentText(), QStringLiteral("Phong"));
+        QCOMPARE(box->count(), count);
+    }
 }
 
 CLOTHLAB_GUI_TEST_MAIN(TestParameters)

@@ -3,6 +3,7 @@
 
 #include "app/window/status_line.h"
 
+#include <QDialog>
 #include <QRegularExpression>
 #include <QTextBrowser>
 
@@ -109,7 +110,8 @@ void TestStatus::whatIsSaidStaysInOutput() {
 
 void TestStatus::everyActionWithKeysIsInTheListOfKeys() {
     m_window->key(Qt::Key_F1);
-    auto* text = (*m_window)->findChild<QTextBrowser*>();
+    auto* dialog = (*m_window)->findChild<QDialog*>();
+    auto* text = dialog ? dialog->findChild<QTextBrowser*>() : nullptr;
     QVERIFY(text && text->isVisible());
     const QString keys = text->toPlainText();
     int listed = 0;

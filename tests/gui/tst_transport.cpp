@@ -3,6 +3,7 @@
 
 #include <QComboBox>
 #include <QSignalSpy>
+#include <QTextEdit>
 
 using namespace clothlab;
 
@@ -147,7 +148,7 @@ void TestTransport::keysAtTheEndsOfTheRecordingDoNothing() {
     QVERIFY(m_window->simulateTo(3));
     const Scene before = m_window->scene();
     for (QWidget* widget : focusable()) {
-        if (qobject_cast<QLineEdit*>(widget) || qobject_cast<QPlainTextEdit*>(widget))
+        if (qobject_cast<QLineEdit*>(widget) || qobject_cast<QTextEdit*>(widget))
             continue;
         widget->setFocus();
         m_window->simulation().showFrame(0);

@@ -1,10 +1,9 @@
 // On a real display, with OpenGL: a click on what is drawn selects it, at any scale of the display, and the
 // picture stays when the window changes.
-#include "tests/gui/test_window.h"
+#include "tests/gui/on_display/display.h"
 
 #include <QImage>
 #include <QLineF>
-#include <QSurfaceFormat>
 
 using namespace clothlab;
 
@@ -89,12 +88,7 @@ private:
 };
 
 void TestPicking::initTestCase() {
-    TestWindow window;
-    const bool required = qEnvironmentVariable("CLOTHLAB_REQUIRE_GL") == "1";
-    const bool there = window.viewport().hasPicture();
-    QVERIFY2(there || !required, "CLOTHLAB_REQUIRE_GL is 1, and there is no display or no OpenGL");
-    if (!there)
-        QSKIP("There is no display or no OpenGL.");
+    CLOTHLAB_NEEDS_PICTURE();
     const QString scale = qEnvironmentVariable("QT_SCALE_FACTOR");
     if (!scale.isEmpty())
         QCOMPARE(qGuiApp->devicePixelRatio(), scale.toDouble());
@@ -261,19 +255,5 @@ void TestPicking::hiddenSpringsAreNotDrawn() {
     TRY_VERIFY(!centreOf(picture(), drawn, crossing, 4));
 }
 
-int main(int argc, char** argv) {
-    // Without a display the default platform would abort, where the test wants to say what is missing.
-    if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM") && !qEnvironmentVariableIsSet("DISPLAY") &&
-        !qEnvironmentVariableIsSet("WAYLAND_DISPLAY"))
-        qputenv("QT_QPA_PLATFORM", "offscreen");
-    QSurfaceFormat format; // as the program asks for
-    format.setVersion(3, 3);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    format.setSamples(4);
-    QSurfaceFormat::setDefaultFormat(format);
-    QApplication application(argc, argv);
-    TestPicking test;
-    return QTest::qExec(&test, argc, argv);
-}
+CLOTHLAB_DISPLAY_TEST_MAIN(TestPicking)
 #include "tst_picking.moc"

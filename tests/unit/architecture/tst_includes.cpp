@@ -43,13 +43,20 @@ const QList<Room>& rooms() {
         {"app/document", {"simcore/*"}, {"QtCore", "QtGui"}, {}},
         {"app/simulation", {"simcore/*", "app/document"}, {"QtCore", "QtGui"}, {}},
         {"app/render", {}, {"QtCore", "QtGui", "QtOpenGL"}, {"stb"}},
+        {"app/picture", {"simcore/*", "app/render", "app/widgets"}, {"QtCore", "QtGui"}, {"Eigen"}},
         {"app/viewport",
-         {"simcore/*", "app/document", "app/simulation", "app/render", "app/widgets"},
+         {"simcore/*", "app/document", "app/simulation", "app/render", "app/widgets", "app/picture"},
          {"*"},
          {"Eigen"}},
-        {"app/docks", {"simcore/*", "app/document", "app/simulation", "app/widgets"}, {"*"}, {}},
+        {"app/docks",
+         {"simcore/*", "app/document", "app/simulation", "app/render", "app/widgets", "app/picture"},
+         {"*"},
+         {}},
         {"app/window", {"simcore/*", "app/*"}, {"*"}, {}},
-        {"app/cli", {"simcore/*", "app/render"}, {"QtCore", "QtGui", "QtOpenGL"}, {"nlohmann"}},
+        {"app/cli",
+         {"simcore/*", "app/document", "app/render", "app/picture"},
+         {"QtCore", "QtGui", "QtOpenGL"},
+         {"nlohmann"}},
         {"app/main.cpp", {"app/*"}, {"*"}, {}},
     };
     return table;
@@ -169,7 +176,11 @@ void TestIncludes::badIncludesAreFound_data() {
     row("app/simulation/simulation.h", "#include \"app/viewport/viewport.h\"");
     row("app/docks/panel.h", "#include \"app/viewport/viewport.h\"");
     row("app/docks/panel.h", "#include \"app/window/main_window.h\"");
+    row("app/picture/camera.h", "#include \"app/document/document.h\"");
+    row("app/picture/camera.h", "#include \"app/viewport/viewport.h\"");
+    row("app/picture/camera.h", "#include <QWidget>");
     row("app/cli/commands.h", "#include \"app/window/main_window.h\"");
+    row("app/cli/commands.h", "#include \"app/docks/text.h\"");
     row("app/docks/panel.h", "#include \"other_panel.h\"");
     row("simcore/cloth/grid.h", "#include <simcore/scene/scene.h>");
     row("app/newroom/thing.h", "");

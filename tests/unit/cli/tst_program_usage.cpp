@@ -29,16 +29,17 @@ private slots:
         QCOMPARE(help.status, 0);
         QVERIFY(help.err.isEmpty());
         // The options that these tests try; one that help names must be among them.
-        const QSet<QString> tried{"--screenshot", "--frames", "--theme",  "--size", "--fps",    "--steps",
-                                  "--threads",    "--output", "--report", "--help", "--version"};
+        const QSet<QString> tried{"--screenshot", "--frames",  "--theme",  "--size",      "--fps",
+                                  "--steps",      "--threads", "--output", "--report",    "--help",
+                                  "--version",    "--frame",   "--shader", "--shader-dir"};
         QSet<QString> named;
-        static const QRegularExpression option("--[a-z]+");
+        static const QRegularExpression option("--[a-z-]+");
         for (auto it = option.globalMatch(help.out); it.hasNext();)
             named.insert(it.next().captured());
         QCOMPARE(named, tried);
         for (const char* words :
-             {"clothlab simulate SCENE", "clothlab check SCENE", "%04d", "0 done", "1 check", "2 wrong usage",
-              "3 the input", "4 the simulation", "6 an output", "130 "})
+             {"clothlab simulate SCENE", "clothlab render SCENE", "clothlab check SCENE", "%04d", "0 done",
+              "1 check", "2 wrong usage", "3 the input", "4 the simulation", "6 an output", "130 "})
             QVERIFY2(help.out.contains(words), words);
         QCOMPARE(runProgram({"-h"}).out, help.out);
         const auto version = runProgram({"--version"});
@@ -222,6 +223,10 @@ private slots:
                                     << "one scene";
         QTest::newRow("no name") << "--screenshot="
                                  << "--screenshot";
+        QTest::newRow("no folder of shaders") << "--shader-dir none"
+                                              << "no folder 'none'";
+        QTest::newRow("no name of a folder of shaders") << "--shader-dir="
+                                                        << "--shader-dir";
         QTest::newRow("no value") << "--theme"
                                   << "theme";
     }

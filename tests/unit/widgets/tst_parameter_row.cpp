@@ -162,6 +162,33 @@ private slots:
         QVERIFY(gesture(2) != gesture(0));
     }
 
+    // Some parameters are 0 or at least something.
+    void stepsAndDragsPassOverWhatIsBelowTheLeast() {
+        build({.label = "Cells",
+               .minimum = 0,
+               .maximum = 512,
+               .leastButZero = 16,
+               .sliderMinimum = 0,
+               .sliderMaximum = 512,
+               .defaultValue = 0,
+               .integer = true});
+        m_row->field()->setFocus();
+        for (const auto& [key, expected] : std::initializer_list<std::pair<Qt::Key, double>>{
+                 {Qt::Key_Up, 16}, {Qt::Key_Up, 17}, {Qt::Key_Down, 16}, {Qt::Key_Down, 0}}) {
+            QTest::keyClick(m_row->field(), key);
+            QCOMPARE(m_row->value(), expected);
+            QCOMPARE(m_edited->last().at(0).toDouble(), expected);
+        }
+        QCOMPARE(m_row->field()->text(), QStringLiteral("0"));
+        QCOMPARE(gesture(0), gesture(3)); // one run of steps
+        dragLabel({7, 9, 40});
+        QCOMPARE(m_edited->count(), 6); // 7 is still 0
+        QCOMPARE(value(4), 16.0);
+        QCOMPARE(value(5), 40.0);
+        type("5"); // whoever types is told
+        QCOMPARE(value(6), 5.0);
+    }
+
     void labelDragStaysInRange() {
         dragLabel({-500});
         QCOMPARE(m_row->value(), 0.0);
