@@ -17,7 +17,7 @@ public:
     void initialize(Gl& gl);
     void destroy(Gl& gl);
 
-    // Uploads what has changed, and draws the shadow map if the shader asks for one. Changes the viewport.
+    // Uploads what has changed, and draws the shadow map if the shader asks for one.
     void prepare(Gl& gl, const RenderFrame& frame, ShaderLibrary& shaders);
     void draw(Gl& gl, const RenderFrame& frame, ShaderLibrary& shaders, TextureStore& textures);
 
