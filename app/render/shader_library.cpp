@@ -115,7 +115,6 @@ const ShaderProgram& ShaderLibrary::surface(Gl& gl, const QString& name) {
             m_goodSurfaceName = name;
             m_surfaceWasBuilt = true;
         }
-        gatherProblems();
     }
     return m_surface.isValid() ? m_surface : m_plainSurface;
 }
@@ -132,7 +131,6 @@ const ShaderProgram& ShaderLibrary::springs(Gl& gl) {
                    {GL_GEOMETRY_SHADER, kInternal + QStringLiteral("line.geom")},
                    {GL_FRAGMENT_SHADER, fragments}},
                   m_springsProblems);
-        gatherProblems();
     }
     return m_springs.isValid() ? m_springs : m_lines;
 }
@@ -142,10 +140,6 @@ std::vector<UniformSpec> ShaderLibrary::surfaceUniforms() const {
     for (const UserUniform& uniform : m_surface.userUniforms())
         specs.push_back(uniform.spec);
     return specs;
-}
-
-void ShaderLibrary::gatherProblems() {
-    m_problems = m_surfaceProblems + m_springsProblems;
 }
 
 } // namespace clothlab::render
