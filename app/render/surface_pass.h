@@ -39,6 +39,7 @@ private:
     SheetBuffers m_resampled; // the surface, if its resolution is not the simulated one
     SheetShape m_resampledShape;
     int m_resampledCells = 0;
+    bool m_resampledIsOld = false; // the sheet has moved since
     Bounds m_sheetBounds;
     StaticMesh m_sphere;
     int m_sphereResolution = -1;

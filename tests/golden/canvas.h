@@ -34,13 +34,15 @@ public:
         m_context.setFormat(format);
         m_surface.setFormat(format);
         m_surface.create();
-        m_good = m_context.create() && m_context.makeCurrent(&m_surface);
+        m_good = m_context.create() && makeCurrent();
     }
 
     bool isGood() const { return m_good; }
+    bool makeCurrent() { return m_context.makeCurrent(&m_surface); }
 
     // A null picture if OpenGL found fault with a call.
     QImage draw(Renderer& renderer, const RenderFrame& frame, QSize size = kSize) {
+        makeCurrent();
         QOpenGLFramebufferObjectFormat format;
         format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
         format.setSamples(m_samples);
@@ -67,7 +69,10 @@ public:
         renderer.setShaderDirectory(kShaders);
         renderer.setTextureDirectory(kTextures);
     }
-    ~Studio() { renderer.release(); }
+    ~Studio() {
+        if (m_canvas && m_canvas->makeCurrent())
+            renderer.release();
+    }
     Studio(const Studio&) = delete;
     Studio& operator=(const Studio&) = delete;
 

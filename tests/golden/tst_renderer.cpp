@@ -21,6 +21,7 @@ private slots:
     void oddSheets_data();
     void oddSheets();
     void largeSheet();
+    void resampledSheetIsNeverAnOldOne();
     void theFirstFrameMayBeWithoutShadows();
     void multisampledEdgesAreSmooth();
 
@@ -126,6 +127,33 @@ void RendererTest::largeSheet() {
     // Springs closer than pixels tint the sheet, and leave it visible.
     const QRgb middle = image.pixel(toPixel(frame, QVector3D(0.5F, 0.5F, 0.5F)));
     QVERIFY(qRed(middle) > 80);
+}
+
+// The drawn mesh follows the sheet, also if that moved while springs were drawn, and loses its strains with
+// it.
+void RendererTest::resampledSheetIsNeverAnOldOne() {
+    const auto fresh = [](const RenderFrame& frame) {
+        Studio studio;
+        return studio.draw(frame);
+    };
+    RenderFrame frame = flatFrame(5);
+    frame.surface.meshResolution = 9;
+    frame.surface.shader = QStringLiteral("Wireframe");
+    m_studio->draw(frame);
+    frame.surface.shader = QStringLiteral("Normal");
+    QCOMPARE(m_studio->draw(frame), fresh(frame));
+
+    frame.surface.shader = QStringLiteral("Wireframe");
+    frame.sheet.positions[1] += 0.3F;
+    m_studio->draw(frame);
+    frame.surface.shader = QStringLiteral("Normal");
+    QCOMPARE(m_studio->draw(frame), fresh(frame));
+
+    frame.surface.shader = QStringLiteral("Strain");
+    frame.sheet.strains.assign(25, 0.1F);
+    QCOMPARE(m_studio->draw(frame), fresh(frame));
+    frame.sheet.strains.clear();
+    QCOMPARE(m_studio->draw(frame), fresh(frame));
 }
 
 // Making the shadow map in the midst of a picture leaves the picture where it is.
