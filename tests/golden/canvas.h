@@ -165,14 +165,29 @@ inline QPoint toPixel(const RenderFrame& frame, const QVector3D& world) {
     return {int((ndc.x() + 1) / 2 * float(kSize.width())), int((1 - ndc.y()) / 2 * float(kSize.height()))};
 }
 
-// Where the middle of a pixel sees the plane y = height.
-inline QVector3D toPlane(const RenderFrame& frame, QPoint pixel, float height) {
+// What the middle of a pixel looks along.
+struct Ray {
+    QVector3D from;
+    QVector3D along; // of unit length
+
+    // Where it meets the plane, wherever that is.
+    QVector3D meets(const QVector3D& point, const QVector3D& normal) const {
+        return from +
+               QVector3D::dotProduct(point - from, normal) / QVector3D::dotProduct(along, normal) * along;
+    }
+};
+
+inline Ray rayThrough(const RenderFrame& frame, QPoint pixel) {
     const QMatrix4x4 inverse = frame.viewProjection.inverted();
     const float x = (float(pixel.x()) + 0.5F) / float(kSize.width()) * 2 - 1;
     const float y = 1 - (float(pixel.y()) + 0.5F) / float(kSize.height()) * 2;
     const QVector3D from = inverse.map(QVector3D(x, y, -1));
-    const QVector3D along = inverse.map(QVector3D(x, y, 0.9F)) - from;
-    return from + (height - from.y()) / along.y() * along;
+    return {from, (inverse.map(QVector3D(x, y, 0.9F)) - from).normalized()};
+}
+
+// Where the middle of a pixel sees the plane y = height.
+inline QVector3D toPlane(const RenderFrame& frame, QPoint pixel, float height) {
+    return rayThrough(frame, pixel).meets(QVector3D(0, height, 0), QVector3D(0, 1, 0));
 }
 
 inline bool isNear(QRgb a, QRgb b, int tolerance) {

@@ -24,6 +24,7 @@ private slots:
     void resampledSheetIsNeverAnOldOne();
     void theFirstFrameMayBeWithoutShadows();
     void multisampledEdgesAreSmooth();
+    void samplesAreOfTheFrame();
 
 private:
     std::optional<Studio> m_studio;
@@ -178,6 +179,31 @@ void RendererTest::multisampledEdgesAreSmooth() {
         all - countPixels(image, frame.background, 1) - countPixels(image, QColor(128, 255, 128), 2);
     QVERIFY(between > 20);
     renderer.release();
+}
+
+// With a framebuffer that has one sample a pixel, the frame says how many there are.
+void RendererTest::samplesAreOfTheFrame() {
+    RenderFrame frame = flatFrame(4);
+    frame.surface.shader = QStringLiteral("Normal");
+    const auto between = [&](int samples) {
+        frame.samples = samples;
+        const QImage image = m_studio->draw(frame);
+        return kSize.width() * kSize.height() - countPixels(image, frame.background, 1) -
+               countPixels(image, QColor(128, 255, 128), 2);
+    };
+    QCOMPARE(between(1), 0);
+    QVERIFY(between(4) > 20);
+    QCOMPARE(between(1), 0);
+    QVERIFY(between(1000) > 20); // as many as there are
+    QCOMPARE(between(0), 0);
+    QCOMPARE(between(-3), 0);
+    // Another size needs another target.
+    frame.samples = 4;
+    for (const QSize size : {QSize(64, 48), QSize(200, 100)}) {
+        const QImage image = m_studio->draw(frame, size);
+        QCOMPARE(image.size(), size);
+        QVERIFY(isNear(image.pixel(size.width() / 2, size.height() / 2), qRgb(128, 255, 128), 2));
+    }
 }
 
 int main(int argc, char** argv) {
