@@ -38,6 +38,10 @@ bool isOurs(const QByteArray& name) {
     return std::find(kUniformNames.begin(), kUniformNames.end(), name) != kUniformNames.end();
 }
 
+// Texture units that nothing is bound to; OpenGL 3.3 has at least 48.
+constexpr int kFirstSpareUnit = 16;
+constexpr int kUnits = 48;
+
 std::optional<UniformSpec::Type> typeOf(GLenum type) {
     switch (type) {
     case GL_BOOL:
@@ -57,6 +61,12 @@ std::optional<UniformSpec::Type> typeOf(GLenum type) {
     default:
         return std::nullopt;
     }
+}
+
+bool isSampler(GLenum type) {
+    return (type >= GL_SAMPLER_1D && type <= GL_SAMPLER_2D_RECT_SHADOW) ||
+           (type >= GL_SAMPLER_1D_ARRAY && type <= GL_SAMPLER_CUBE_SHADOW) ||
+           (type >= GL_INT_SAMPLER_1D && type <= GL_UNSIGNED_INT_SAMPLER_BUFFER);
 }
 
 GLuint compileStage(Gl& gl, const ShaderStage& stage, Problems& problems) {
@@ -139,6 +149,8 @@ void ShaderProgram::findUniforms(Gl& gl, std::span<const ShaderStage> stages, Pr
     for (const ShaderStage& stage : stages)
         sources.push_back(stage.source.text);
     m_userUniforms.clear();
+    int samplers = 0;
+    int spareUnit = kFirstSpareUnit;
     GLint count = 0;
     gl.glGetProgramiv(m_id, GL_ACTIVE_UNIFORMS, &count);
     for (GLint i = 0; i < count; ++i) {
@@ -158,6 +170,19 @@ void ShaderProgram::findUniforms(Gl& gl, std::span<const ShaderStage> stages, Pr
                  QStringLiteral("the uniform %1 has no control: only float, int, bool, vec2 to vec4 and "
                                 "sampler2D have, and no arrays")
                      .arg(QString::fromLatin1(name))});
+            // Two kinds of sampler at one unit, and nothing would be drawn.
+            if (isSampler(type) && type != GL_SAMPLER_2D && spareUnit < kUnits) {
+                use(gl);
+                gl.glUniform1i(location, spareUnit++);
+            }
+            continue;
+        }
+        if (*known == UniformSpec::Type::Sampler2D && ++samplers > kMostUserSamplers) {
+            problems.append(
+                {stages.back().source.files.constFirst(), 0,
+                 QStringLiteral("the texture %1 is one too many: a shader has up to %2 of its own")
+                     .arg(QString::fromLatin1(name))
+                     .arg(kMostUserSamplers)});
             continue;
         }
         UserUniform& uniform = m_userUniforms.emplace_back();

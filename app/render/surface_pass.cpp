@@ -20,7 +20,7 @@ constexpr int kFinest = 512;
 constexpr int kCubemapUnit = 4;
 constexpr int kShadowUnit = 5;
 constexpr int kFirstUserUnit = 6;
-constexpr int kUnits = 16;
+static_assert(kFirstUserUnit + kMostUserSamplers <= 16);
 
 Uniform nth(Uniform first, std::size_t index) {
     return static_cast<Uniform>(static_cast<std::size_t>(first) + index);
@@ -192,8 +192,6 @@ void SurfacePass::setUserUniforms(Gl& gl, const RenderFrame& frame, const Shader
             program.set(gl, uniform, setting.numbers);
             continue;
         }
-        if (unit >= kUnits)
-            continue; // the driver would not have linked more
         const QString file = setting.file.isEmpty() ? QStringLiteral("texture_1.png") : setting.file;
         bindTexture(gl, unit, GL_TEXTURE_2D, textures.texture(gl, file, uniform.spec.srgb).id);
         program.set(gl, uniform, {static_cast<float>(unit)});

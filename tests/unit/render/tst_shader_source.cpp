@@ -71,8 +71,10 @@ int ShaderSourceTest::lineWith(const QByteArray& source, const QByteArray& word,
             return line;
         if (each.startsWith("#line ")) {
             const QList<QByteArray> parts = each.split(' ');
-            line = parts[1].toInt() - 1;
+            line = parts[1].toInt() % kLinesPerFile - 1;
             file = parts[2].toInt();
+            if (parts[1].toInt() / kLinesPerFile != file)
+                return -1;
         }
     }
     return -1;

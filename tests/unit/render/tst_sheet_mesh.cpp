@@ -295,6 +295,11 @@ void SheetMeshTest::shaderLogsOfAllDrivers() {
              Problems({{main, 12, QStringLiteral("error: syntax error")}}));
     QCOMPARE(read("1:2(5): error: in the part\n"),
              Problems({{part, 2, QStringLiteral("error: in the part")}}));
+    // Mesa leaves out the number of the file now and then.
+    QCOMPARE(read("0:1000003(5): error: in the part\n"),
+             Problems({{part, 3, QStringLiteral("error: in the part")}}));
+    QCOMPARE(read("0:9000003(5): error: of no file\n"),
+             Problems({{main, 3, QStringLiteral("error: of no file")}}));
     QCOMPARE(read("7:2(5): error: of no file\n"), Problems({{main, 2, QStringLiteral("error: of no file")}}));
     QCOMPARE(read("0(7) : error C1008: undefined variable \"x\"\r\n\n"),
              Problems({{main, 7, QStringLiteral("error C1008: undefined variable \"x\"")}}));
