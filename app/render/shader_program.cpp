@@ -2,6 +2,8 @@
 
 #include "app/render/shader_log.h"
 
+#include <QRegularExpression>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -199,9 +201,13 @@ void ShaderProgram::findUniforms(Gl& gl, std::span<const ShaderStage> stages, Pr
         annotate(uniform.spec, sources);
     }
     // Drivers list them in any order; people read them in that of the file.
-    const auto place = [&sources](const UserUniform& uniform) {
-        const QByteArray declared = ' ' + uniform.spec.name.toLatin1();
-        return std::pair(sources.back().indexOf(declared + ';'), sources.back().indexOf(declared));
+    // Those of the vertex shader alone come last.
+    const QString text = QString::fromUtf8(sources.back());
+    const auto place = [&text](const UserUniform& uniform) {
+        const QRegularExpression declaration(
+            QStringLiteral("\\buniform\\s+\\w+\\s+%1\\b").arg(QRegularExpression::escape(uniform.spec.name)));
+        const qsizetype index = text.indexOf(declaration);
+        return index < 0 ? text.size() : index;
     };
     std::stable_sort(m_userUniforms.begin(), m_userUniforms.end(),
                      [&](const UserUniform& a, const UserUniform& b) { return place(a) < place(b); });
