@@ -71,6 +71,20 @@ bool isSampler(GLenum type) {
            (type >= GL_INT_SAMPLER_1D && type <= GL_UNSIGNED_INT_SAMPLER_BUFFER);
 }
 
+Problem withoutControl(const QString& file, const QByteArray& name) {
+    return {file, 0,
+            QStringLiteral("the uniform %1 has no control: only float, int, bool, vec2 to vec4 and "
+                           "sampler2D have, and no arrays")
+                .arg(QString::fromLatin1(name))};
+}
+
+Problem oneTooMany(const QString& file, const QByteArray& name) {
+    return {file, 0,
+            QStringLiteral("the texture %1 is one too many: a shader has up to %2 of its own")
+                .arg(QString::fromLatin1(name))
+                .arg(kMostUserSamplers)};
+}
+
 GLuint compileStage(Gl& gl, const ShaderStage& stage, Problems& problems) {
     const GLuint shader = gl.glCreateShader(stage.type);
     const char* text = stage.source.text.constData();
@@ -150,6 +164,7 @@ void ShaderProgram::findUniforms(Gl& gl, std::span<const ShaderStage> stages, Pr
     std::vector<QByteArray> sources;
     for (const ShaderStage& stage : stages)
         sources.push_back(stage.source.text);
+    const QString& file = stages.back().source.files.constFirst();
     m_userUniforms.clear();
     int samplers = 0;
     int spareUnit = kFirstSpareUnit;
@@ -167,42 +182,41 @@ void ShaderProgram::findUniforms(Gl& gl, std::span<const ShaderStage> stages, Pr
             continue;
         const std::optional<UniformSpec::Type> known = typeOf(type);
         if (!known || size != 1) {
-            problems.append(
-                {stages.back().source.files.constFirst(), 0,
-                 QStringLiteral("the uniform %1 has no control: only float, int, bool, vec2 to vec4 and "
-                                "sampler2D have, and no arrays")
-                     .arg(QString::fromLatin1(name))});
+            problems.append(withoutControl(file, name));
             // Two kinds of sampler at one unit, and nothing would be drawn.
             if (isSampler(type) && type != GL_SAMPLER_2D && spareUnit < kUnits) {
                 use(gl);
                 gl.glUniform1i(location, spareUnit++);
             }
-            continue;
+        } else if (*known == UniformSpec::Type::Sampler2D && ++samplers > kMostUserSamplers) {
+            problems.append(oneTooMany(file, name));
+        } else {
+            addUserUniform(gl, name, *known, location, sources);
         }
-        if (*known == UniformSpec::Type::Sampler2D && ++samplers > kMostUserSamplers) {
-            problems.append(
-                {stages.back().source.files.constFirst(), 0,
-                 QStringLiteral("the texture %1 is one too many: a shader has up to %2 of its own")
-                     .arg(QString::fromLatin1(name))
-                     .arg(kMostUserSamplers)});
-            continue;
-        }
-        UserUniform& uniform = m_userUniforms.emplace_back();
-        uniform.location = location;
-        uniform.spec.name = QString::fromLatin1(name);
-        uniform.spec.type = *known;
-        if (*known == UniformSpec::Type::Bool || *known == UniformSpec::Type::Int) {
-            GLint value = 0;
-            gl.glGetUniformiv(m_id, location, &value);
-            uniform.spec.initial.numbers[0] = static_cast<float>(value);
-        } else if (*known != UniformSpec::Type::Sampler2D) {
-            gl.glGetUniformfv(m_id, location, uniform.spec.initial.numbers.data());
-        }
-        annotate(uniform.spec, sources);
     }
-    // Drivers list them in any order; people read them in that of the file.
-    // Those of the vertex shader alone come last.
-    const QString text = QString::fromUtf8(sources.back());
+    sortAsDeclared(sources.back());
+}
+
+void ShaderProgram::addUserUniform(Gl& gl, const QByteArray& name, UniformSpec::Type type, GLint location,
+                                   const std::vector<QByteArray>& sources) {
+    UserUniform& uniform = m_userUniforms.emplace_back();
+    uniform.location = location;
+    uniform.spec.name = QString::fromLatin1(name);
+    uniform.spec.type = type;
+    if (type == UniformSpec::Type::Bool || type == UniformSpec::Type::Int) {
+        GLint value = 0;
+        gl.glGetUniformiv(m_id, location, &value);
+        uniform.spec.initial.numbers[0] = static_cast<float>(value);
+    } else if (type != UniformSpec::Type::Sampler2D) {
+        gl.glGetUniformfv(m_id, location, uniform.spec.initial.numbers.data());
+    }
+    annotate(uniform.spec, sources);
+}
+
+// Drivers list them in any order; people read them in that of the file. Those of the vertex shader alone come
+// last.
+void ShaderProgram::sortAsDeclared(const QByteArray& source) {
+    const QString text = QString::fromUtf8(source);
     const auto place = [&text](const UserUniform& uniform) {
         const QRegularExpression declaration(
             QStringLiteral("\\buniform\\s+\\w+\\s+%1\\b").arg(QRegularExpression::escape(uniform.spec.name)));

@@ -104,6 +104,9 @@ public:
 private:
     GLint location(Uniform uniform) const { return m_locations[static_cast<std::size_t>(uniform)]; }
     void findUniforms(Gl& gl, std::span<const ShaderStage> stages, Problems& problems);
+    void addUserUniform(Gl& gl, const QByteArray& name, UniformSpec::Type type, GLint location,
+                        const std::vector<QByteArray>& sources);
+    void sortAsDeclared(const QByteArray& source);
 
     GLuint m_id = 0;
     std::array<GLint, static_cast<std::size_t>(Uniform::Count)> m_locations{};

@@ -61,76 +61,72 @@ QByteArray manySamplers(int count) {
 
 constexpr const char* kMain = "    out_color = vec4(tint(v_position.xyz), 1.0);";
 
-const std::vector<Break>& breaks() {
-    static const std::vector<Break> all{
-        {"syntax error", "Mine.frag", replaced(kMain, "    out_color = = 1;"), "Mine.frag", 6},
-        {"no main", "Mine.frag", replaced("void main()", "void other()"), "Mine.frag", 0},
-        {"unknown name", "Mine.frag", replaced(kMain, "\n    out_color = colour;"), "Mine.frag", 7},
-        {"unknown function", "Mine.frag", replaced("tint(", "tints("), "Mine.frag", 6},
-        {"wrong type", "Mine.frag", replaced(kMain, "    out_color = v_position.xyz;"), "Mine.frag", 6},
-        {"no semicolon", "Mine.frag", replaced("1.0);", "1.0)"), "Mine.frag", 7},
-        {"unclosed brace", "Mine.frag", replaced("1.0);\n}", "1.0);\n"), "Mine.frag", -1},
-        {"unclosed comment", "Mine.frag", replaced("in vec4 v_position;", "/* in vec4"), "Mine.frag", -1},
-        {"version there is not", "Mine.frag", replaced("330", "999"), "Mine.frag", 1},
-        {"version that is too old", "Mine.frag", replaced("330", "110"), "Mine.frag", -1},
-        {"no version", "Mine.frag", replaced("#version 330\n", "\n"), "Mine.frag", -1},
-        {"#error", "Mine.frag", replaced("in vec4 v_position;", "#error no\nin vec4 v_position;"),
-         "Mine.frag", 3},
-        {"varying nobody writes", "Mine.frag", replaced("tint(v_position.xyz)", "v_missing"), "Mine.frag", 6},
-        {"varying not in the .vert", "Mine.frag",
-         [](QByteArray text) {
-             return text.replace("in vec4 v_position;", "in vec4 v_position; in vec3 v_missing;")
-                 .replace("tint(v_position.xyz)", "v_missing");
-         },
-         "Mine.frag", kMayLink},
-        {"varying of another type", "Mine.frag",
-         [](QByteArray text) {
-             return text.replace("in vec4 v_position;", "in vec3 v_position;").replace(".xyz", "");
-         },
-         "Mine.frag", 0},
-        {"function without a body", "Mine.frag", replaced("#include \"part.glsl\"", "vec3 tint(vec3 p);"),
-         "Mine.frag", 0},
-        {"function that calls itself", "Mine.frag",
-         replaced("#include \"part.glsl\"", "vec3 tint(vec3 p) { return p.x > 9.0 ? p : tint(p + 1.0); }"),
-         "Mine.frag", 0},
-        {"empty", "Mine.frag", only(""), "Mine.frag", -1},
-        {"binary junk", "Mine.frag",
-         only(QByteArray("\x7F"
-                         "ELF\x02\x01\x01\0\0\0\xFF\xFE\x80\x81\n\0\x03",
-                         18)),
-         "Mine.frag", -1},
-        {"NUL bytes", "Mine.frag", only(QByteArray(300, '\0')), "Mine.frag", -1},
-        {"NUL within", "Mine.frag", replaced("    out_color", QByteArray("  \0  out_color", 14)), "Mine.frag",
-         -1},
-        {"not UTF-8", "Mine.frag",
-         replaced("tint(v", "t\xE4\xFF"
-                            "nt(v"),
-         "Mine.frag", 6},
-        {"2 MB", "Mine.frag", [](const QByteArray& text) { return text + QByteArray(2 << 20, ' '); },
-         "Mine.frag", 0},
-        {"too many samplers", "Mine.frag", only(manySamplers(400)), "Mine.frag", 0},
-        {"too many uniforms", "Mine.frag",
-         [](QByteArray text) {
-             return text.replace("out vec4 out_color;", "out vec4 out_color; uniform vec4 u_many[99999];")
-                 .replace("1.0)", "1.0) + u_many[int(v_position.x * 99999.0)]");
-         },
-         "Mine.frag", 0},
-        {"missing include", "Mine.frag", replaced("part.glsl", "gone.glsl"), "Mine.frag", 2},
-        {"error in the .vert", "Mine.vert", replaced("v_position = u_model", "v_position = u_modell"),
-         "Mine.vert", 7},
-        {"the .vert is empty", "Mine.vert", only(""), "Mine.vert", -1},
-        {"the .vert writes less", "Mine.vert",
-         [](QByteArray text) { return text.replace("out vec4 v_position;", "vec4 v_position;"); },
-         "Mine.frag", kMayLink},
-        {"error in an included file", "part.glsl", replaced("fract(4.0 * p)", "frct(4.0 * p)"), "part.glsl",
-         3},
-        {"included file lacks a brace", "part.glsl", replaced("p);\n}", "p);\n"), nullptr, -1},
-        {"included file includes none", "part.glsl",
-         replaced("vec3 tint", "\n#include \"no.glsl\"\nvec3 tint"), "part.glsl", 3},
-        {"included file is binary", "part.glsl", only(QByteArray("\xFF\xFE\0\x80 \x01", 6)), "part.glsl", -1},
-    };
-    return all;
-}
+const std::vector<Break> kBreaks{
+    {"syntax error", "Mine.frag", replaced(kMain, "    out_color = = 1;"), "Mine.frag", 6},
+    {"no main", "Mine.frag", replaced("void main()", "void other()"), "Mine.frag", 0},
+    {"unknown name", "Mine.frag", replaced(kMain, "\n    out_color = colour;"), "Mine.frag", 7},
+    {"unknown function", "Mine.frag", replaced("tint(", "tints("), "Mine.frag", 6},
+    {"wrong type", "Mine.frag", replaced(kMain, "    out_color = v_position.xyz;"), "Mine.frag", 6},
+    {"no semicolon", "Mine.frag", replaced("1.0);", "1.0)"), "Mine.frag", 7},
+    {"unclosed brace", "Mine.frag", replaced("1.0);\n}", "1.0);\n"), "Mine.frag", -1},
+    {"unclosed comment", "Mine.frag", replaced("in vec4 v_position;", "/* in vec4"), "Mine.frag", -1},
+    {"version there is not", "Mine.frag", replaced("330", "999"), "Mine.frag", 1},
+    {"version that is too old", "Mine.frag", replaced("330", "110"), "Mine.frag", -1},
+    {"no version", "Mine.frag", replaced("#version 330\n", "\n"), "Mine.frag", -1},
+    {"#error", "Mine.frag", replaced("in vec4 v_position;", "#error no\nin vec4 v_position;"), "Mine.frag",
+     3},
+    {"varying nobody writes", "Mine.frag", replaced("tint(v_position.xyz)", "v_missing"), "Mine.frag", 6},
+    {"varying not in the .vert", "Mine.frag",
+     [](QByteArray text) {
+         return text.replace("in vec4 v_position;", "in vec4 v_position; in vec3 v_missing;")
+             .replace("tint(v_position.xyz)", "v_missing");
+     },
+     "Mine.frag", kMayLink},
+    {"varying of another type", "Mine.frag",
+     [](QByteArray text) {
+         return text.replace("in vec4 v_position;", "in vec3 v_position;").replace(".xyz", "");
+     },
+     "Mine.frag", 0},
+    {"function without a body", "Mine.frag", replaced("#include \"part.glsl\"", "vec3 tint(vec3 p);"),
+     "Mine.frag", 0},
+    {"function that calls itself", "Mine.frag",
+     replaced("#include \"part.glsl\"", "vec3 tint(vec3 p) { return p.x > 9.0 ? p : tint(p + 1.0); }"),
+     "Mine.frag", 0},
+    {"empty", "Mine.frag", only(""), "Mine.frag", -1},
+    {"binary junk", "Mine.frag",
+     only(QByteArray("\x7F"
+                     "ELF\x02\x01\x01\0\0\0\xFF\xFE\x80\x81\n\0\x03",
+                     18)),
+     "Mine.frag", -1},
+    {"NUL bytes", "Mine.frag", only(QByteArray(300, '\0')), "Mine.frag", -1},
+    {"NUL within", "Mine.frag", replaced("    out_color", QByteArray("  \0  out_color", 14)), "Mine.frag",
+     -1},
+    {"not UTF-8", "Mine.frag",
+     replaced("tint(v", "t\xE4\xFF"
+                        "nt(v"),
+     "Mine.frag", 6},
+    {"2 MB", "Mine.frag", [](const QByteArray& text) { return text + QByteArray(2 << 20, ' '); }, "Mine.frag",
+     0},
+    {"too many samplers", "Mine.frag", only(manySamplers(400)), "Mine.frag", 0},
+    {"too many uniforms", "Mine.frag",
+     [](QByteArray text) {
+         return text.replace("out vec4 out_color;", "out vec4 out_color; uniform vec4 u_many[99999];")
+             .replace("1.0)", "1.0) + u_many[int(v_position.x * 99999.0)]");
+     },
+     "Mine.frag", 0},
+    {"missing include", "Mine.frag", replaced("part.glsl", "gone.glsl"), "Mine.frag", 2},
+    {"error in the .vert", "Mine.vert", replaced("v_position = u_model", "v_position = u_modell"),
+     "Mine.vert", 7},
+    {"the .vert is empty", "Mine.vert", only(""), "Mine.vert", -1},
+    {"the .vert writes less", "Mine.vert",
+     [](QByteArray text) { return text.replace("out vec4 v_position;", "vec4 v_position;"); }, "Mine.frag",
+     kMayLink},
+    {"error in an included file", "part.glsl", replaced("fract(4.0 * p)", "frct(4.0 * p)"), "part.glsl", 3},
+    {"included file lacks a brace", "part.glsl", replaced("p);\n}", "p);\n"), nullptr, -1},
+    {"included file includes none", "part.glsl", replaced("vec3 tint", "\n#include \"no.glsl\"\nvec3 tint"),
+     "part.glsl", 3},
+    {"included file is binary", "part.glsl", only(QByteArray("\xFF\xFE\0\x80 \x01", 6)), "part.glsl", -1},
+};
 
 } // namespace
 
@@ -218,13 +214,13 @@ void BrokenShadersTest::mendsAndChanges() {
 
 void BrokenShadersTest::texts_data() {
     QTest::addColumn<int>("index");
-    for (std::size_t i = 0; i < breaks().size(); ++i)
-        QTest::newRow(breaks()[i].name) << int(i);
+    for (std::size_t i = 0; i < kBreaks.size(); ++i)
+        QTest::newRow(kBreaks[i].name) << int(i);
 }
 
 void BrokenShadersTest::texts() {
     QFETCH(int, index);
-    const Break& broken = breaks()[static_cast<std::size_t>(index)];
+    const Break& broken = kBreaks[static_cast<std::size_t>(index)];
     const QString file = QLatin1String(broken.file);
     const QByteArray good = file.endsWith(QLatin1String("vert"))   ? kVertices
                             : file.endsWith(QLatin1String("frag")) ? kFragments
