@@ -17,10 +17,24 @@ out vec4 v_base; // before it was moved
 out vec4 v_normal;
 out vec2 v_uv;
 
+// Linear between the four texels around, with a map that repeats. Not by texture(): software drivers blur that in a
+// vertex shader as they would on a surface seen edge on.
+float height(vec2 uv) {
+    ivec2 size = textureSize(u_texture_3, 0);
+    vec2 place = uv * vec2(size) - 0.5;
+    vec2 part = fract(place);
+    ivec2 low = (ivec2(floor(place)) % size + size) % size;
+    ivec2 high = (low + 1) % size;
+    vec2 left = vec2(texelFetch(u_texture_3, low, 0).r, texelFetch(u_texture_3, ivec2(low.x, high.y), 0).r);
+    vec2 right = vec2(texelFetch(u_texture_3, ivec2(high.x, low.y), 0).r, texelFetch(u_texture_3, high, 0).r);
+    vec2 column = mix(left, right, part.x);
+    return mix(column.x, column.y, part.y);
+}
+
 void main() {
     v_base = u_model * in_position;
     v_normal = vec4(normalize(mat3(u_model) * in_normal.xyz), 0.0);
     v_uv = in_uv;
-    v_position = v_base + u_depth * u_height_scaling * textureLod(u_texture_3, in_uv, 0.0).r * v_normal;
+    v_position = v_base + u_depth * u_height_scaling * height(in_uv) * v_normal;
     gl_Position = u_view_projection * v_position;
 }

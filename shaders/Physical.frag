@@ -80,7 +80,8 @@ void main() {
     float nv = max(dot(n, v), 1e-4);
     float roughness = max(u_roughness, 0.04);
     vec3 straight_on = mix(vec3(0.04), base, u_metallic);
-    vec3 matt = base * (1.0 - u_metallic);
+    vec3 mirrored = reflected_part(straight_on, roughness, nv);
+    vec3 matt = base * (1.0 - u_metallic) * (1.0 - mirrored); // what is mirrored goes in nowhere
 
     Lamp lamp = lamp_at(v_position.xyz, u_light_pos, u_light_intensity);
     float nl = max(dot(n, lamp.direction), 0.0);
@@ -89,6 +90,6 @@ void main() {
 
     float level = roughness * max(u_cubemap_levels - 3.0, 0.0);
     vec3 around = to_linear(textureLod(u_texture_cubemap, reflect(-v, n), level).rgb);
-    light += u_surroundings * (matt * irradiance(n) + around * reflected_part(straight_on, roughness, nv));
+    light += u_surroundings * (matt * irradiance(n) + around * mirrored);
     out_color = vec4(soft_shoulder(to_srgb(light)), color.a);
 }

@@ -66,6 +66,8 @@ public:
     bool wireframe = false;
 
 private:
+    void gatherProblems(const RenderFrame& frame);
+
     SurfacePass m_surfaces;
     MarksPass m_marks;
     MultisampleTarget m_target;
@@ -119,9 +121,19 @@ void Renderer::Passes::render(const RenderFrame& frame, QSize pixels) {
     m_marks.draw(*gl, frame, pixels, shaders, textures, m_surfaces.sheet());
     leaveState(*gl);
     m_target.end(*gl);
-    problems = shaders.problems() + textures.problems();
+    gatherProblems(frame);
     wireframe = isWireframe(frame);
     shaderInUse = wireframe ? frame.surface.shader : shaders.surfaceInUse();
+}
+
+// Of what was drawn: a shader that was tried before is nobody's concern now.
+void Renderer::Passes::gatherProblems(const RenderFrame& frame) {
+    problems.clear();
+    if (!isWireframe(frame))
+        problems += shaders.surfaceProblems();
+    if (isWireframe(frame) || frame.springs.overSurface)
+        problems += shaders.springsProblems();
+    problems += textures.problems();
 }
 
 Renderer::Renderer() : m_passes(std::make_unique<Passes>()) {}

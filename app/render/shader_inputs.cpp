@@ -14,7 +14,7 @@ const QString kCubemapFolder = QStringLiteral("cubemap");
 // Texture units. OpenGL 3.3 has at least 16 of them.
 constexpr int kCubemapUnit = 4;
 constexpr int kFirstUserUnit = 6;
-constexpr int kUnits = 16;
+static_assert(kFirstUserUnit + kMostUserSamplers <= 16);
 
 Uniform nth(Uniform first, std::size_t index) {
     return static_cast<Uniform>(static_cast<std::size_t>(first) + index);
@@ -63,8 +63,6 @@ void setUserUniforms(Gl& gl, const std::map<QString, UniformSetting>& settings, 
             program.set(gl, uniform, setting.numbers);
             continue;
         }
-        if (unit >= kUnits)
-            continue; // the driver would not have linked more
         const QString file = setting.file.isEmpty() ? kTextureFiles[0] : setting.file;
         bindTexture(gl, unit, GL_TEXTURE_2D, textures.texture(gl, file, uniform.spec.srgb).id);
         program.set(gl, uniform, {static_cast<float>(unit)});

@@ -120,7 +120,6 @@ const ShaderProgram& ShaderLibrary::surface(Gl& gl, const QString& name) {
             m_goodSurfaceName = name;
             ++m_builds;
         }
-        gatherProblems();
     }
     return m_surface.isValid() ? m_surface : m_plainSurface;
 }
@@ -138,13 +137,8 @@ const ShaderProgram& ShaderLibrary::springs(Gl& gl) {
                    {GL_FRAGMENT_SHADER, fragments}},
                   m_springsProblems);
         ++m_builds;
-        gatherProblems();
     }
     return m_springs.isValid() ? m_springs : m_lines;
-}
-
-void ShaderLibrary::gatherProblems() {
-    m_problems = m_surfaceProblems + m_springsProblems;
 }
 
 } // namespace clothlab::render

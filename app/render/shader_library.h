@@ -21,8 +21,8 @@ bool takesStrain(const QString& directory, const QString& name);
 
 // NAME.frag is linked with NAME.vert of the same directory if there is one, else with Default.vert there,
 // else with the Default.vert that is part of the program. Wireframe.frag is linked with the internal line
-// shaders, which provide the same varyings. A shader that can't be read, compiled or linked says so in
-// problems(), and what was last good stays: for surfaces the shader drawn before, else a plain internal one.
+// shaders, which provide the same varyings. A shader that can't be read, compiled or linked says so in its
+// problems, and what was last good stays: for surfaces the shader drawn before, else a plain internal one.
 class ShaderLibrary {
 public:
     void setDirectory(const QString& directory);
@@ -43,8 +43,9 @@ public:
     const ShaderProgram& ground() const { return m_ground; }
     const ShaderProgram& shadow() const { return m_shadow; }
 
-    // What is wrong with the shaders in use; empty if nothing is.
-    const Problems& problems() const { return m_problems; }
+    // What is wrong with the shader that surface() or springs() was last asked for; empty if nothing is.
+    const Problems& surfaceProblems() const { return m_surfaceProblems; }
+    const Problems& springsProblems() const { return m_springsProblems; }
 
     // The surface shader whose program surface() last returned; empty for the plain one. And what its user
     // may set.
@@ -57,7 +58,6 @@ public:
 
 private:
     bool buildInternal(Gl& gl, Problems& problems);
-    void gatherProblems();
 
     QString m_directory;
 
@@ -76,7 +76,6 @@ private:
     ShaderProgram m_dots;
     ShaderProgram m_ground;
     ShaderProgram m_shadow;
-    Problems m_problems;
 };
 
 } // namespace clothlab::render

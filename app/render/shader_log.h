@@ -9,8 +9,9 @@
 namespace clothlab::render {
 
 // One problem a non-empty line of `log`, with file and line where the driver names them (Mesa, NVIDIA, and
-// the `ERROR: 0:12:` form of AMD, Intel and Apple are understood), else with the first file. The number
-// before the line counts the files; one that is not there stands for the first. files is not empty.
+// the `ERROR: 0:12:` form of AMD, Intel and Apple are understood), else with the first file. Lines from
+// kLinesPerFile on say the file; for others it is the number before the line, and the first file if there is
+// no such. files is not empty.
 Problems readShaderLog(const QStringList& files, const QString& log);
 
 } // namespace clothlab::render

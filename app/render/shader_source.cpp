@@ -71,7 +71,8 @@ private:
     }
 
     void addLineDirective(int line, qsizetype number) {
-        m_source.text += "#line " + QByteArray::number(line) + ' ' + QByteArray::number(number) + '\n';
+        m_source.text += "#line " + QByteArray::number(number * kLinesPerFile + line) + ' ' +
+                         QByteArray::number(number) + '\n';
     }
 
     bool fail(const QString& path, int line, const QString& reason) {

@@ -11,6 +11,10 @@
 
 namespace clothlab::render {
 
+// The lines of the n-th file of a source are counted from n times this: Mesa forgets the number of the file
+// in some of its messages, but never the line.
+inline constexpr int kLinesPerFile = 1'000'000;
+
 struct ShaderSource {
     QByteArray text;
     QStringList files; // paths; the n-th is what #line directives in the text call source string n

@@ -61,6 +61,7 @@ void ShadowMap::create(Gl& gl) {
 
 void ShadowMap::begin(Gl& gl) {
     gl.glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &m_outer);
+    gl.glGetIntegerv(GL_VIEWPORT, m_outerViewport.data());
     if (m_texture == 0)
         create(gl);
     gl.glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer);
@@ -74,6 +75,7 @@ void ShadowMap::begin(Gl& gl) {
 void ShadowMap::end(Gl& gl) {
     gl.glDisable(GL_POLYGON_OFFSET_FILL);
     gl.glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(m_outer));
+    gl.glViewport(m_outerViewport[0], m_outerViewport[1], m_outerViewport[2], m_outerViewport[3]);
 }
 
 GLuint ShadowMap::texture(Gl& gl) {

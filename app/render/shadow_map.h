@@ -6,6 +6,8 @@
 #include <QMatrix4x4>
 #include <QVector3D>
 
+#include <array>
+
 namespace clothlab::render {
 
 // A box that holds what casts shadows.
@@ -26,7 +28,8 @@ QMatrix4x4 lightViewProjection(const QVector3D& light, const Bounds& bounds);
 // A depth texture that compares. Holds GL objects of one context; nothing is freed by the destructor.
 class ShadowMap {
 public:
-    // Between the two, what is drawn casts shadows; end() goes back to the framebuffer that was bound.
+    // Between the two, what is drawn casts shadows; end() goes back to the framebuffer and the viewport of
+    // before.
     void begin(Gl& gl);
     void end(Gl& gl);
     void destroy(Gl& gl);
@@ -38,6 +41,7 @@ private:
     GLuint m_texture = 0;
     GLuint m_framebuffer = 0;
     GLint m_outer = 0;
+    std::array<GLint, 4> m_outerViewport{};
 };
 
 } // namespace clothlab::render

@@ -60,11 +60,13 @@ void SurfacePass::updateMeshes(Gl& gl, const RenderFrame& frame) {
     m_sheetBoundsAreCurrent = m_sheetBoundsAreCurrent && change == SheetMesh::Change::Nothing;
     const int cells = std::clamp(frame.surface.meshResolution, 0, kFinest);
     updateSphere(gl, cells);
+    m_resampledIsOld = m_resampledIsOld || change != SheetMesh::Change::Nothing || cells != m_resampledCells;
     if (cells > 0 && !isWireframe(frame)) {
         // Strains may be other ones without the sheet having moved.
-        if (change != SheetMesh::Change::Nothing || cells != m_resampledCells || !frame.sheet.strains.empty())
+        if (m_resampledIsOld || !frame.sheet.strains.empty() || !m_resampledShape.strains.empty())
             resample(frame.sheet, cells, m_resampledShape);
         m_resampled.update(gl, m_resampledShape);
+        m_resampledIsOld = false;
     }
     m_resampledCells = cells;
 }

@@ -17,7 +17,7 @@ public:
     void initialize(Gl& gl);
     void destroy(Gl& gl);
 
-    // Uploads what has changed, and draws the shadow map if the shader asks for one. Changes the viewport.
+    // Uploads what has changed, and draws the shadow map if the shader asks for one.
     void prepare(Gl& gl, const RenderFrame& frame, ShaderLibrary& shaders);
     void draw(Gl& gl, const RenderFrame& frame, ShaderLibrary& shaders, TextureStore& textures);
 
@@ -37,6 +37,7 @@ private:
     SheetBuffers m_resampled; // the surface, if its resolution is not the simulated one
     SheetShape m_resampledShape;
     int m_resampledCells = 0;
+    bool m_resampledIsOld = false; // the sheet has moved since
     Bounds m_sheetBounds;
     bool m_sheetBoundsAreCurrent = false;
     StaticMesh m_sphere;

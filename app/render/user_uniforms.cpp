@@ -1,5 +1,7 @@
 #include "app/render/user_uniforms.h"
 
+#include <QRegularExpression>
+
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -7,7 +9,9 @@
 namespace clothlab::render {
 namespace {
 
-constexpr GLint kLastUnit = 15; // OpenGL 3.3 has at least 16 texture units
+// Texture units that nothing is bound to; OpenGL 3.3 has at least 48.
+constexpr int kFirstSpareUnit = 16;
+constexpr int kUnits = 48;
 
 std::optional<UniformSpec::Type> typeOf(GLenum type) {
     switch (type) {
@@ -70,14 +74,32 @@ UserUniform userUniform(Gl& gl, GLuint program, const ActiveUniform& active, Uni
     return uniform;
 }
 
-// Drivers list uniforms in any order; people read them in that of the file.
-void sortAsWritten(std::vector<UserUniform>& uniforms, const QByteArray& text) {
+// Drivers list uniforms in any order; people read them in that of the file. Those of the vertex shader alone
+// come last.
+void sortAsWritten(std::vector<UserUniform>& uniforms, const QByteArray& source) {
+    const QString text = QString::fromUtf8(source);
     const auto place = [&text](const UserUniform& uniform) {
-        const QByteArray declared = ' ' + uniform.spec.name.toLatin1();
-        return std::pair(text.indexOf(declared + ';'), text.indexOf(declared));
+        const QRegularExpression declaration(
+            QStringLiteral("\\buniform\\s+\\w+\\s+%1\\b").arg(QRegularExpression::escape(uniform.spec.name)));
+        const qsizetype index = text.indexOf(declaration);
+        return index < 0 ? text.size() : index;
     };
     std::stable_sort(uniforms.begin(), uniforms.end(),
                      [&](const UserUniform& a, const UserUniform& b) { return place(a) < place(b); });
+}
+
+Problem withoutControl(const QString& file, const QByteArray& name) {
+    return {file, 0,
+            QStringLiteral("the uniform %1 has no control: only float, int, bool, vec2 to vec4 and "
+                           "sampler2D have, and no arrays")
+                .arg(QString::fromLatin1(name))};
+}
+
+Problem oneTooMany(const QString& file, const QByteArray& name) {
+    return {file, 0,
+            QStringLiteral("the texture %1 is one too many: a shader has up to %2 of its own")
+                .arg(QString::fromLatin1(name))
+                .arg(kMostUserSamplers)};
 }
 
 } // namespace
@@ -90,26 +112,26 @@ std::vector<UserUniform> findUserUniforms(Gl& gl, GLuint program, std::span<cons
     std::vector<UserUniform> uniforms;
     GLint count = 0;
     gl.glGetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);
-    GLint strayUnit = kLastUnit;
+    const QString& file = stages.back().source.files.constFirst();
+    int samplers = 0;
+    int spareUnit = kFirstSpareUnit;
     for (GLuint i = 0; i < static_cast<GLuint>(count); ++i) {
         const ActiveUniform active = activeUniform(gl, program, i);
         if (active.location < 0 || ours(active.name.split('[').constFirst())) // of an array the name of all
             continue;
         const std::optional<UniformSpec::Type> type = typeOf(active.type);
-        if (type && active.size == 1) {
+        if (!type || active.size != 1) {
+            problems.append(withoutControl(file, active.name));
+            // Two kinds of sampler at one unit, and nothing would be drawn.
+            if (isSampler(active.type) && active.type != GL_SAMPLER_2D && spareUnit < kUnits) {
+                gl.glUseProgram(program);
+                gl.glUniform1i(active.location, spareUnit++);
+            }
+        } else if (*type == UniformSpec::Type::Sampler2D && ++samplers > kMostUserSamplers) {
+            problems.append(oneTooMany(file, active.name));
+        } else {
             uniforms.push_back(userUniform(gl, program, active, *type));
             annotate(uniforms.back().spec, sources);
-            continue;
-        }
-        problems.append(
-            {stages.back().source.files.constFirst(), 0,
-             QStringLiteral("the uniform %1 has no control: only float, int, bool, vec2 to vec4 and "
-                            "sampler2D have, and no arrays")
-                 .arg(QString::fromLatin1(active.name))});
-        // Two samplers of different types on one unit, and nothing would be drawn.
-        if (isSampler(active.type)) {
-            gl.glUseProgram(program);
-            gl.glUniform1i(active.location, strayUnit--);
         }
     }
     sortAsWritten(uniforms, sources.back());

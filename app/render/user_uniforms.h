@@ -18,6 +18,9 @@ struct ShaderStage {
     ShaderSource source;
 };
 
+// As many textures of its own can a shader have.
+inline constexpr int kMostUserSamplers = 10;
+
 // A uniform that the program has but the renderer does not set by itself.
 struct UserUniform {
     UniformSpec spec;

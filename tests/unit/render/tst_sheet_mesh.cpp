@@ -288,17 +288,30 @@ void SheetMeshTest::planeFollowsItsNormal() {
 }
 
 void SheetMeshTest::shaderLogsOfAllDrivers() {
-    const QString file = QStringLiteral("My.frag");
-    QCOMPARE(readableShaderLog(file, QStringLiteral("0:12(5): error: syntax error\n")),
-             QStringList(QStringLiteral("My.frag:12: error: syntax error")));
-    QCOMPARE(readableShaderLog(file, QStringLiteral("0(7) : error C1008: undefined variable \"x\"\r\n\n")),
-             QStringList(QStringLiteral("My.frag:7: error C1008: undefined variable \"x\"")));
-    QCOMPARE(readableShaderLog(file, QStringLiteral("ERROR: 0:3: 'y' : undeclared\nWARNING: 0:4: unused")),
-             QStringList({QStringLiteral("My.frag:3: error: 'y' : undeclared"),
-                          QStringLiteral("My.frag:4: warning: unused")}));
-    QCOMPARE(readableShaderLog(file, QStringLiteral("out of memory")),
-             QStringList(QStringLiteral("My.frag: out of memory")));
-    QVERIFY(readableShaderLog(file, QString()).isEmpty());
+    const QString main = QStringLiteral("/my/My.frag");
+    const QString part = QStringLiteral("/my/part.glsl");
+    const auto read = [&](const char* log) { return readShaderLog({main, part}, QString::fromLatin1(log)); };
+    QCOMPARE(read("0:12(5): error: syntax error\n"),
+             Problems({{main, 12, QStringLiteral("error: syntax error")}}));
+    QCOMPARE(read("1:2(5): error: in the part\n"),
+             Problems({{part, 2, QStringLiteral("error: in the part")}}));
+    // Mesa leaves out the number of the file now and then.
+    QCOMPARE(read("0:1000003(5): error: in the part\n"),
+             Problems({{part, 3, QStringLiteral("error: in the part")}}));
+    QCOMPARE(read("0:9000003(5): error: of no file\n"),
+             Problems({{main, 3, QStringLiteral("error: of no file")}}));
+    QCOMPARE(read("7:2(5): error: of no file\n"), Problems({{main, 2, QStringLiteral("error: of no file")}}));
+    QCOMPARE(read("0(7) : error C1008: undefined variable \"x\"\r\n\n"),
+             Problems({{main, 7, QStringLiteral("error C1008: undefined variable \"x\"")}}));
+    QCOMPARE(read("1(7) : error C1008: too"), Problems({{part, 7, QStringLiteral("error C1008: too")}}));
+    QCOMPARE(read("ERROR: 0:3: 'y' : undeclared\nWARNING: 1:4: unused"),
+             Problems({{main, 3, QStringLiteral("error: 'y' : undeclared")},
+                       {part, 4, QStringLiteral("warning: unused")}}));
+    QCOMPARE(read("out of memory"), Problems({{main, 0, QStringLiteral("out of memory")}}));
+    QCOMPARE(read("99999999999:99999999999(1): x"), Problems({{main, 0, QStringLiteral("x")}}));
+    QVERIFY(read("").isEmpty());
+    QCOMPARE(words({main, 12, QStringLiteral("reason")}), QStringLiteral("My.frag:12: reason"));
+    QCOMPARE(words({main, 0, QStringLiteral("reason")}), QStringLiteral("My.frag: reason"));
 }
 
 void SheetMeshTest::pixelSizeOfBothProjections() {
