@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSaveFile>
+#include <QStringDecoder>
 #include <QUrl>
 #include <QVBoxLayout>
 
@@ -76,7 +77,11 @@ bool ShaderEditor::read() {
         return false;
     }
     m_saved = file.readAll();
-    m_edit->setPlainText(QString::fromUtf8(m_saved));
+    // What is not UTF-8 is taken letter by letter, and written back so.
+    QStringDecoder decoder(QStringDecoder::Utf8);
+    QString text = decoder.decode(m_saved);
+    m_isUtf8 = !decoder.hasError();
+    m_edit->setPlainText(m_isUtf8 ? text : QString::fromLatin1(m_saved));
     m_edit->document()->setModified(false);
     updateState();
     markProblems();
@@ -86,7 +91,7 @@ bool ShaderEditor::read() {
 bool ShaderEditor::save() {
     if (!isModified())
         return true;
-    QByteArray text = m_edit->toPlainText().toUtf8();
+    QByteArray text = m_isUtf8 ? m_edit->toPlainText().toUtf8() : m_edit->toPlainText().toLatin1();
     if (m_saved.contains("\r\n")) // as the file had them
         text.replace("\n", "\r\n");
     QSaveFile file(m_path);

@@ -45,7 +45,8 @@ private:
     void markProblems();
 
     QString m_path;
-    QByteArray m_saved; // as last read or written
+    QByteArray m_saved;   // as last read or written
+    bool m_isUtf8 = true; // else Latin-1
     render::Problems m_problems;
     QLabel* m_name;
     QPushButton* m_save;

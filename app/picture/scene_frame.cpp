@@ -40,9 +40,11 @@ void fillSurface(const Scene& scene, const QString& folder, render::SurfaceLook&
         surface.textures[i] = pathOf(appearance.textures[i], folder);
     surface.cubemap = pathOf(appearance.cubemap, folder);
     surface.uniforms.clear();
-    if (const auto values = appearance.uniforms.find(appearance.shader); values != appearance.uniforms.end())
-        for (const auto& [name, value] : values->second)
-            surface.uniforms.emplace(QString::fromStdString(name), toSetting(value, folder));
+    for (const auto& [shader, values] : appearance.uniforms) {
+        render::UniformSettings& settings = surface.uniforms[QString::fromStdString(shader)];
+        for (const auto& [name, value] : values)
+            settings.emplace(QString::fromStdString(name), toSetting(value, folder));
+    }
 }
 
 void fillPositions(const PointArray& from, std::vector<float>& to) {

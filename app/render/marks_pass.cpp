@@ -17,7 +17,6 @@ const QVector4D kGridColor{0.62F, 0.65F, 0.69F, 1};
 constexpr std::array<float, kSpringTypes> kSpringWidth{1.6F, 1.2F, 2.8F};
 constexpr std::array<float, kSpringTypes> kSpringMaxFill{0.16F, 0.10F, 0.15F}; // of their own length
 constexpr std::array<float, kSpringTypes> kSpringNearer{4.0F, 3.5F, 3.0F};
-const std::map<QString, UniformSetting> kNoSettings;
 constexpr float kHighlightWidth = 4;
 constexpr float kDotRadius = 5;
 constexpr float kPinnedRadius = 4;
@@ -107,9 +106,8 @@ void MarksPass::drawSprings(Gl& gl, const RenderFrame& frame, const ShaderProgra
     program.set(gl, Uniform::CameraPosition, frame.cameraPosition);
     program.set(gl, Uniform::LightPosition, frame.light.position);
     program.set(gl, Uniform::LightIntensity, frame.light.intensity);
-    // What the user has set is of the shader that was chosen; over a surface that is another one.
     setTextures(gl, frame.surface, program, textures);
-    setUserUniforms(gl, isWireframe(frame) ? frame.surface.uniforms : kNoSettings, program, textures);
+    setUserUniforms(gl, frame.surface, QStringLiteral("Wireframe"), program, textures);
     program.set(gl, Uniform::ByStrain, frame.springs.coloredByStrain ? 1 : 0);
     program.set(gl, Uniform::StrainRange, frame.strainRange);
     program.set(gl, Uniform::StrainColors, kStrainColors);

@@ -64,9 +64,11 @@ struct SurfaceLook {
     int meshResolution = 0; // cells of the drawn sheet and spheres along a side; 0: the sheet as it is
     float normalScaling = 2;
     float heightScaling = 0.1F;
-    std::array<QString, kTextureCount> textures;  // files; empty: those of the texture directory
-    QString cubemap;                              // a folder; empty: that of the texture directory
-    std::map<QString, UniformSetting> uniforms{}; // what differs from the shader's own defaults
+    std::array<QString, kTextureCount> textures; // files; empty: those of the texture directory
+    QString cubemap;                             // a folder; empty: that of the texture directory
+    // By the shader's name, which may be another one than asked for while that is broken: what differs from
+    // its own defaults.
+    std::map<QString, UniformSettings> uniforms{};
 };
 
 // Springs are drawn when the shader is Wireframe, or over the surface.

@@ -52,8 +52,11 @@ void setTextures(Gl& gl, const SurfaceLook& look, const ShaderProgram& program, 
     }
 }
 
-void setUserUniforms(Gl& gl, const std::map<QString, UniformSetting>& settings, const ShaderProgram& program,
+void setUserUniforms(Gl& gl, const SurfaceLook& look, const QString& shader, const ShaderProgram& program,
                      TextureStore& textures) {
+    static const UniformSettings none;
+    const auto found = look.uniforms.find(shader);
+    const UniformSettings& settings = found != look.uniforms.end() ? found->second : none;
     int unit = kFirstUserUnit;
     for (const UserUniform& uniform : program.userUniforms()) {
         const auto set = settings.find(uniform.spec.name);

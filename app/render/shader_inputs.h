@@ -17,9 +17,9 @@ void bindTexture(Gl& gl, int unit, GLenum target, GLuint texture);
 // The course's four textures, their sizes, and the cube map with what is computed from it.
 void setTextures(Gl& gl, const SurfaceLook& look, const ShaderProgram& program, TextureStore& textures);
 
-// Every uniform of the user's own: what it is set to, else its default. A setting of another number of
-// components is passed over.
-void setUserUniforms(Gl& gl, const std::map<QString, UniformSetting>& settings, const ShaderProgram& program,
+// Every uniform of the user's own: what it is set to for the shader of that name, else its default. A setting
+// of another number of components is passed over.
+void setUserUniforms(Gl& gl, const SurfaceLook& look, const QString& shader, const ShaderProgram& program,
                      TextureStore& textures);
 
 } // namespace clothlab::render

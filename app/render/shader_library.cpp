@@ -18,15 +18,21 @@ struct StageFile {
     QString path;
 };
 
-bool build(Gl& gl, ShaderProgram& program, std::initializer_list<StageFile> files, Problems& problems) {
+// Empty if one of the files cannot be read.
+std::vector<ShaderStage> readStages(std::initializer_list<StageFile> files, Problems& problems) {
     std::vector<ShaderStage> stages;
     for (const StageFile& file : files) {
         std::optional<ShaderSource> source = readShaderSource(file.path, kBuiltIn, problems);
         if (!source)
-            return false;
+            return {};
         stages.push_back({file.type, std::move(*source)});
     }
-    return program.build(gl, stages, problems);
+    return stages;
+}
+
+bool build(Gl& gl, ShaderProgram& program, std::initializer_list<StageFile> files, Problems& problems) {
+    const std::vector<ShaderStage> stages = readStages(files, problems);
+    return !stages.empty() && program.build(gl, stages, problems);
 }
 
 QString vertexShaderFor(const QDir& directory, const QString& name) {
@@ -69,13 +75,18 @@ void ShaderLibrary::reload() {
 }
 
 bool ShaderLibrary::initialize(Gl& gl, QString* error) {
-    // Programs of an earlier context that was lost have nothing to free.
-    QString directory = m_directory;
+    // Programs of an earlier context that was lost have nothing to free. The surface's is made again from
+    // what was good: its files may be broken by now.
+    ShaderLibrary old = std::move(*this);
     *this = ShaderLibrary();
-    m_directory = std::move(directory);
-
+    m_directory = std::move(old.m_directory);
+    m_builds = old.m_builds;
     Problems problems;
     const bool good = buildInternal(gl, problems);
+    if (good && !old.m_goodSurfaceStages.empty() && m_surface.build(gl, old.m_goodSurfaceStages, problems)) {
+        m_goodSurfaceName = std::move(old.m_goodSurfaceName);
+        m_goodSurfaceStages = std::move(old.m_goodSurfaceStages);
+    }
     if (!good && error && !problems.isEmpty())
         *error = words(problems.constFirst());
     if (!good)
@@ -113,11 +124,13 @@ const ShaderProgram& ShaderLibrary::surface(Gl& gl, const QString& name) {
         m_surfaceName = name;
         m_surfaceProblems.clear();
         const QDir directory(m_directory);
-        if (build(gl, m_surface,
-                  {{GL_VERTEX_SHADER, vertexShaderFor(directory, name)},
-                   {GL_FRAGMENT_SHADER, directory.filePath(name + QStringLiteral(".frag"))}},
-                  m_surfaceProblems)) {
+        std::vector<ShaderStage> stages =
+            readStages({{GL_VERTEX_SHADER, vertexShaderFor(directory, name)},
+                        {GL_FRAGMENT_SHADER, directory.filePath(name + QStringLiteral(".frag"))}},
+                       m_surfaceProblems);
+        if (!stages.empty() && m_surface.build(gl, stages, m_surfaceProblems)) {
             m_goodSurfaceName = name;
+            m_goodSurfaceStages = std::move(stages);
             ++m_builds;
         }
     }

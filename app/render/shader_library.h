@@ -61,8 +61,9 @@ private:
 
     QString m_directory;
 
-    QString m_surfaceName;     // that was last tried
-    QString m_goodSurfaceName; // that came out well: of m_surface
+    QString m_surfaceName;                        // that was last tried
+    QString m_goodSurfaceName;                    // that came out well: of m_surface
+    std::vector<ShaderStage> m_goodSurfaceStages; // to make it anew in another context
     ShaderProgram m_surface;
     int m_builds = 0;
     Problems m_surfaceProblems;

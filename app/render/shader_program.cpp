@@ -9,32 +9,56 @@
 namespace clothlab::render {
 namespace {
 
-constexpr std::array<const char*, static_cast<std::size_t>(Uniform::Count)> kUniformNames{
-    "u_model",           "u_view_projection",
-    "u_color",           "u_cam_pos",
-    "u_light_pos",       "u_light_intensity",
-    "u_normal_scaling",  "u_height_scaling",
-    "u_texture_1",       "u_texture_2",
-    "u_texture_3",       "u_texture_4",
-    "u_texture_1_size",  "u_texture_2_size",
-    "u_texture_3_size",  "u_texture_4_size",
-    "u_texture_cubemap", "u_cubemap_levels",
-    "u_irradiance",      "u_back_color",
-    "u_two_sided",       "u_time",
-    "u_shadow_map",      "u_shadow_matrix",
-    "u_shadow_strength", "u_strain_range",
-    "u_strain_colors",   "u_by_strain",
-    "u_viewport",        "u_pixel_size",
-    "u_depth_slope",     "u_depth_bias",
-    "u_width",           "u_max_fill",
-    "u_radius",
+struct KnownUniform {
+    const char* name;
+    GLenum type;
 };
+
+constexpr std::array<KnownUniform, static_cast<std::size_t>(Uniform::Count)> kUniforms{
+    {{"u_model", GL_FLOAT_MAT4},
+     {"u_view_projection", GL_FLOAT_MAT4},
+     {"u_color", GL_FLOAT_VEC4},
+     {"u_cam_pos", GL_FLOAT_VEC3},
+     {"u_light_pos", GL_FLOAT_VEC3},
+     {"u_light_intensity", GL_FLOAT_VEC3},
+     {"u_normal_scaling", GL_FLOAT},
+     {"u_height_scaling", GL_FLOAT},
+     {"u_texture_1", GL_SAMPLER_2D},
+     {"u_texture_2", GL_SAMPLER_2D},
+     {"u_texture_3", GL_SAMPLER_2D},
+     {"u_texture_4", GL_SAMPLER_2D},
+     {"u_texture_1_size", GL_FLOAT_VEC2},
+     {"u_texture_2_size", GL_FLOAT_VEC2},
+     {"u_texture_3_size", GL_FLOAT_VEC2},
+     {"u_texture_4_size", GL_FLOAT_VEC2},
+     {"u_texture_cubemap", GL_SAMPLER_CUBE},
+     {"u_cubemap_levels", GL_FLOAT},
+     {"u_irradiance", GL_FLOAT_VEC3},
+     {"u_back_color", GL_FLOAT_VEC4},
+     {"u_two_sided", GL_BOOL},
+     {"u_time", GL_FLOAT},
+     {"u_shadow_map", GL_SAMPLER_2D_SHADOW},
+     {"u_shadow_matrix", GL_FLOAT_MAT4},
+     {"u_shadow_strength", GL_FLOAT},
+     {"u_strain_range", GL_FLOAT},
+     {"u_strain_colors", GL_FLOAT_VEC3},
+     {"u_by_strain", GL_BOOL},
+     {"u_viewport", GL_FLOAT_VEC2},
+     {"u_pixel_size", GL_FLOAT},
+     {"u_depth_slope", GL_FLOAT_VEC2},
+     {"u_depth_bias", GL_FLOAT},
+     {"u_width", GL_FLOAT},
+     {"u_max_fill", GL_FLOAT},
+     {"u_radius", GL_FLOAT}}};
 
 constexpr std::array<const char*, kRest + 1> kAttributeNames{"in_position", "in_normal", "in_tangent",
                                                              "in_uv",       "in_strain", "in_rest"};
 
-bool isOurs(const QByteArray& name) {
-    return std::find(kUniformNames.begin(), kUniformNames.end(), name) != kUniformNames.end();
+// 0 if it is none of ours.
+GLenum typeOfOurs(const QByteArray& name) {
+    const auto* const known = std::find_if(kUniforms.begin(), kUniforms.end(),
+                                           [&](const KnownUniform& each) { return name == each.name; });
+    return known == kUniforms.end() ? 0 : known->type;
 }
 
 GLuint compileStage(Gl& gl, const ShaderStage& stage, Problems& problems) {
@@ -104,9 +128,12 @@ bool ShaderProgram::build(Gl& gl, std::span<const ShaderStage> stages, Problems&
     }
     destroy(gl);
     m_id = program;
-    for (std::size_t i = 0; i < kUniformNames.size(); ++i)
-        m_locations[i] = gl.glGetUniformLocation(program, kUniformNames[i]);
-    m_userUniforms = findUserUniforms(gl, program, stages, isOurs, problems);
+    for (std::size_t i = 0; i < kUniforms.size(); ++i)
+        m_locations[i] = gl.glGetUniformLocation(program, kUniforms[i].name);
+    ProgramUniforms found = findUniforms(gl, program, stages, typeOfOurs, problems);
+    m_userUniforms = std::move(found.ofTheUser);
+    for (const GLint location : found.ofAnotherType)
+        std::replace(m_locations.begin(), m_locations.end(), location, -1);
     return true;
 }
 

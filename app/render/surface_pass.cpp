@@ -112,7 +112,7 @@ void SurfacePass::draw(Gl& gl, const RenderFrame& frame, ShaderLibrary& shaders,
     setUniforms(gl, frame, program);
     setTextures(gl, frame.surface, program, textures);
     setShadows(gl, frame, program);
-    setUserUniforms(gl, frame.surface.uniforms, program, textures);
+    setUserUniforms(gl, frame.surface, shaders.surfaceInUse(), program, textures);
     drawColliders(gl, frame, program);
     if (wireframe)
         return;

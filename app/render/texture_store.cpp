@@ -40,6 +40,10 @@ void setFilters(Gl& gl, GLenum target, GLint wrap) {
 // For planes seen at a low angle. Cube maps are looked at straight.
 void setAnisotropy(Gl& gl) {
     const QOpenGLContext* context = QOpenGLContext::currentContext();
+    // Mesa's software renderer pays dearly for it, and blurs what vertex shaders read.
+    const QByteArray renderer(reinterpret_cast<const char*>(gl.glGetString(GL_RENDERER)));
+    if (renderer.contains("llvmpipe") || renderer.contains("softpipe"))
+        return;
     if (!context || !context->hasExtension("GL_EXT_texture_filter_anisotropic"))
         return;
     GLfloat greatest = 1;

@@ -71,8 +71,8 @@ private:
     }
 
     bool readWord() {
-        static const QRegularExpression word =
-            anchored(QStringLiteral(R"((color|colour|srgb|true|false)\b)"));
+        static const QRegularExpression word = anchored(
+            QStringLiteral(R"((color|colour|srgb|true|false)\b(?!\s+(?!color|colour|srgb)[a-z]+(?:\s|$)))"));
         if (!take(word))
             return false;
         const QString taken = m_match.captured(1);

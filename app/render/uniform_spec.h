@@ -5,6 +5,7 @@
 #include <QString>
 
 #include <array>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct UniformSetting {
     QString file;
     friend bool operator==(const UniformSetting&, const UniformSetting&) = default;
 };
+
+using UniformSettings = std::map<QString, UniformSetting>; // by the uniform's name
 
 struct UniformSpec {
     enum class Type { Bool, Int, Float, Vec2, Vec3, Vec4, Sampler2D };

@@ -102,40 +102,85 @@ Problem oneTooMany(const QString& file, const QByteArray& name) {
                 .arg(kMostUserSamplers)};
 }
 
-} // namespace
+Problem ofAnotherType(const QString& file, const QByteArray& name) {
+    return {file, 0,
+            QStringLiteral("the uniform %1 has another type than what the program sets; it is not set")
+                .arg(QString::fromLatin1(name))};
+}
 
-std::vector<UserUniform> findUserUniforms(Gl& gl, GLuint program, std::span<const ShaderStage> stages,
-                                          bool (*ours)(const QByteArray& name), Problems& problems) {
-    std::vector<QByteArray> sources;
-    for (const ShaderStage& stage : stages)
-        sources.push_back(stage.source.text);
-    std::vector<UserUniform> uniforms;
-    GLint count = 0;
-    gl.glGetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);
-    const QString& file = stages.back().source.files.constFirst();
-    int samplers = 0;
-    int spareUnit = kFirstSpareUnit;
-    for (GLuint i = 0; i < static_cast<GLuint>(count); ++i) {
-        const ActiveUniform active = activeUniform(gl, program, i);
-        if (active.location < 0 || ours(active.name.split('[').constFirst())) // of an array the name of all
-            continue;
+// Gathers the uniforms of one program.
+class Finder {
+public:
+    Finder(Gl& gl, GLuint program, std::span<const ShaderStage> stages, Problems& problems)
+        : m_gl(gl), m_program(program), m_file(stages.back().source.files.constFirst()),
+          m_problems(problems) {
+        for (const ShaderStage& stage : stages)
+            m_sources.push_back(stage.source.text);
+    }
+
+    void addOurs(const ActiveUniform& active, GLenum type) {
+        if (active.type == type)
+            return;
+        m_problems.append(ofAnotherType(m_file, active.name));
+        m_found.ofAnotherType.push_back(active.location);
+        putOutOfTheWay(active);
+    }
+
+    void addUsers(const ActiveUniform& active) {
         const std::optional<UniformSpec::Type> type = typeOf(active.type);
         if (!type || active.size != 1) {
-            problems.append(withoutControl(file, active.name));
-            // Two kinds of sampler at one unit, and nothing would be drawn.
-            if (isSampler(active.type) && active.type != GL_SAMPLER_2D && spareUnit < kUnits) {
-                gl.glUseProgram(program);
-                gl.glUniform1i(active.location, spareUnit++);
-            }
-        } else if (*type == UniformSpec::Type::Sampler2D && ++samplers > kMostUserSamplers) {
-            problems.append(oneTooMany(file, active.name));
+            m_problems.append(withoutControl(m_file, active.name));
+            putOutOfTheWay(active);
+        } else if (*type == UniformSpec::Type::Sampler2D && ++m_samplers > kMostUserSamplers) {
+            m_problems.append(oneTooMany(m_file, active.name));
         } else {
-            uniforms.push_back(userUniform(gl, program, active, *type));
-            annotate(uniforms.back().spec, sources);
+            m_found.ofTheUser.push_back(userUniform(m_gl, m_program, active, *type));
+            annotate(m_found.ofTheUser.back().spec, m_sources);
         }
     }
-    sortAsWritten(uniforms, sources.back());
-    return uniforms;
+
+    ProgramUniforms take() {
+        sortAsWritten(m_found.ofTheUser, m_sources.back());
+        return std::move(m_found);
+    }
+
+private:
+    // Two kinds of sampler at one unit, and nothing would be drawn.
+    void putOutOfTheWay(const ActiveUniform& active) {
+        if (!isSampler(active.type) || active.type == GL_SAMPLER_2D || m_spareUnit >= kUnits)
+            return;
+        m_gl.glUseProgram(m_program);
+        m_gl.glUniform1i(active.location, m_spareUnit++);
+    }
+
+    Gl& m_gl;
+    GLuint m_program;
+    QString m_file;
+    Problems& m_problems;
+    std::vector<QByteArray> m_sources;
+    ProgramUniforms m_found;
+    int m_samplers = 0;
+    int m_spareUnit = kFirstSpareUnit;
+};
+
+} // namespace
+
+ProgramUniforms findUniforms(Gl& gl, GLuint program, std::span<const ShaderStage> stages,
+                             GLenum (*typeOfOurs)(const QByteArray& name), Problems& problems) {
+    Finder finder(gl, program, stages, problems);
+    GLint count = 0;
+    gl.glGetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);
+    for (GLuint i = 0; i < static_cast<GLuint>(count); ++i) {
+        const ActiveUniform active = activeUniform(gl, program, i);
+        if (active.location < 0)
+            continue;
+        if (const GLenum type = typeOfOurs(active.name.split('[').constFirst());
+            type != 0) // an array's name is its own
+            finder.addOurs(active, type);
+        else
+            finder.addUsers(active);
+    }
+    return finder.take();
 }
 
 } // namespace clothlab::render

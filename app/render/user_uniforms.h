@@ -27,9 +27,16 @@ struct UserUniform {
     GLint location = -1;
 };
 
-// In the order of the last stage's text. Uniforms that are `ours` are left out; those of a type without a
-// control are told in `problems`, and samplers among them put out of the way of the others.
-std::vector<UserUniform> findUserUniforms(Gl& gl, GLuint program, std::span<const ShaderStage> stages,
-                                          bool (*ours)(const QByteArray& name), Problems& problems);
+struct ProgramUniforms {
+    std::vector<UserUniform>
+        ofTheUser; // in the order of the last stage's text, those of the stages before last
+    std::vector<GLint> ofAnotherType; // locations of the renderer's own that it cannot set
+};
+
+// typeOfOurs gives the type of a uniform of the renderer's own, or 0. What cannot be set is told in
+// `problems`: uniforms of the user's without a control, of which samplers are put out of the way of the
+// others, and the renderer's own of another type.
+ProgramUniforms findUniforms(Gl& gl, GLuint program, std::span<const ShaderStage> stages,
+                             GLenum (*typeOfOurs)(const QByteArray& name), Problems& problems);
 
 } // namespace clothlab::render

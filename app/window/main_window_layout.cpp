@@ -101,7 +101,6 @@ void MainWindow::makeMenus() {
                             m_actions->top, m_actions->bottom});
     view->addActions({m_actions->orthographic, m_actions->keepView});
     view->addSeparator();
-    view->addSeparator();
     view->addActions({m_actions->systemTheme, m_actions->darkTheme, m_actions->lightTheme});
     view->addSeparator();
     view->addAction(m_actions->fullScreen);

@@ -41,6 +41,7 @@ private slots:
     void survivesALostContext_data();
     void survivesALostContext();
     void choicesOutliveTheContext();
+    void aBrokenShaderStillShowsWhatWasGood();
 
 private:
     std::optional<Studio> m_studio;
@@ -76,12 +77,35 @@ void LostContextTest::choicesOutliveTheContext() {
     frame.surface.shader = QStringLiteral("Texture");
     const QImage plain = m_studio->draw(frame);
     frame.surface.textures[0] = QStringLiteral("texture_4.png");
-    frame.surface.uniforms[QStringLiteral("u_tiles")] = {2, {3, 2}, {}};
+    frame.surface.uniforms[frame.surface.shader][QStringLiteral("u_tiles")] = {2, {3, 2}, {}};
     const QImage chosen = m_studio->draw(frame);
     QVERIFY(chosen != plain);
     m_studio->loseContext();
     QVERIFY(m_studio->beginNewContext());
     QCOMPARE(m_studio->draw(frame), chosen);
+}
+
+void LostContextTest::aBrokenShaderStillShowsWhatWasGood() {
+    const ShaderDirectory directory;
+    const QByteArray head = "#version 330\nin vec2 v_uv; out vec4 out_color;\n";
+    QVERIFY(directory.write(QStringLiteral("Mine.frag"),
+                            head + "void main() { out_color = vec4(v_uv, 1, 1); }\n"));
+    m_studio->renderer.setShaderDirectory(directory.path());
+    RenderFrame frame = fullFrame();
+    frame.surface.shader = QStringLiteral("Mine");
+    const QImage good = m_studio->draw(frame);
+    QVERIFY2(m_studio->faults().isEmpty(), qPrintable(m_studio->faults()));
+    QVERIFY(directory.write(QStringLiteral("Mine.frag"), head + "void main() { out_color = nothing; }\n"));
+    m_studio->renderer.reloadFiles();
+    QCOMPARE(m_studio->draw(frame), good);
+    for (const bool released : {true, false}) {
+        if (released)
+            m_studio->renderer.release();
+        m_studio->loseContext();
+        QVERIFY(m_studio->beginNewContext());
+        QCOMPARE(m_studio->draw(frame), good);
+        QVERIFY(m_studio->faults().contains(QStringLiteral("Mine.frag:3")));
+    }
 }
 
 int main(int argc, char** argv) {

@@ -98,11 +98,11 @@ RenderFrame PhysicalTest::furnace(float albedo, float roughness, float metallic)
     frame.surface.cubemap = m_directory.path(QStringLiteral("white"));
     const float value = encoded(albedo);
     frame.surface.color = QVector4D(value, value, value, 1);
-    frame.surface.uniforms = {{QStringLiteral("u_roughness"), number(roughness)},
-                              {QStringLiteral("u_metallic"), number(metallic)},
-                              {QStringLiteral("u_use_map"), number(0)},
-                              {QStringLiteral("u_lamp"), number(0)},
-                              {QStringLiteral("u_surroundings"), number(1)}};
+    frame.surface.uniforms[frame.surface.shader] = {{QStringLiteral("u_roughness"), number(roughness)},
+                                                    {QStringLiteral("u_metallic"), number(metallic)},
+                                                    {QStringLiteral("u_use_map"), number(0)},
+                                                    {QStringLiteral("u_lamp"), number(0)},
+                                                    {QStringLiteral("u_surroundings"), number(1)}};
     return frame;
 }
 
@@ -110,7 +110,7 @@ RenderFrame PhysicalTest::furnace(float albedo, float roughness, float metallic)
 int PhysicalTest::shown(float light) {
     RenderFrame frame = flatFrame(4);
     frame.surface.shader = QStringLiteral("Shown");
-    frame.surface.uniforms = {{QStringLiteral("u_value"), number(encoded(light))}};
+    frame.surface.uniforms[frame.surface.shader] = {{QStringLiteral("u_value"), number(encoded(light))}};
     return qRed(m_studio->draw(frame).pixel(kSize.width() / 2, kSize.height() / 2));
 }
 
@@ -207,8 +207,8 @@ void PhysicalTest::matInTheLamp() {
     frame.sheet = flatFrame(10).sheet;
     lookFrom(frame, QVector3D(0.5F, 2, 1.2F));
     frame.light.intensity = QVector3D(2, 2, 2);
-    frame.surface.uniforms[QStringLiteral("u_lamp")] = number(1);
-    frame.surface.uniforms[QStringLiteral("u_surroundings")] = number(0);
+    frame.surface.uniforms[frame.surface.shader][QStringLiteral("u_lamp")] = number(1);
+    frame.surface.uniforms[frame.surface.shader][QStringLiteral("u_surroundings")] = number(0);
     const QImage image = m_studio->draw(frame);
     std::vector<std::pair<QPoint, float>> places;
     for (int i = 1; i < 10; ++i) {
@@ -231,8 +231,8 @@ void PhysicalTest::mapIsDecodedFromSrgb() {
     grey.fill(QColor(128, 128, 128));
     QVERIFY(grey.save(m_directory.path(QStringLiteral("grey.png"))));
     RenderFrame mapped = furnace(1, 1, 0);
-    mapped.surface.uniforms[QStringLiteral("u_use_map")] = number(1);
-    mapped.surface.uniforms[QStringLiteral("u_base_map")] = {
+    mapped.surface.uniforms[mapped.surface.shader][QStringLiteral("u_use_map")] = number(1);
+    mapped.surface.uniforms[mapped.surface.shader][QStringLiteral("u_base_map")] = {
         0, {}, m_directory.path(QStringLiteral("grey.png"))};
     const QImage withMap = m_studio->draw(mapped);
     QVERIFY2(m_studio->faults().isEmpty(), qPrintable(m_studio->faults()));

@@ -142,7 +142,7 @@ RenderFrame ReliefTest::frameOf(const QString& surface, int resolution) const {
     RenderFrame frame = emptyFrame();
     frame.surface.meshResolution = resolution;
     frame.surface.heightScaling = kDepth;
-    frame.surface.uniforms[QStringLiteral("u_depth")] = number(1);
+    frame.surface.uniforms[frame.surface.shader][QStringLiteral("u_depth")] = number(1);
     if (surface == QLatin1String("ball"))
         frame.spheres = {{kCentre, 0.5F}};
     else
@@ -301,8 +301,8 @@ void ReliefTest::scalingsMultiply() {
                              float depth) {
         frame.surface.normalScaling = normal;
         frame.surface.heightScaling = heightScaling;
-        frame.surface.uniforms = {{QStringLiteral("u_relief"), number(relief)},
-                                  {QStringLiteral("u_depth"), number(depth)}};
+        frame.surface.uniforms[frame.surface.shader] = {{QStringLiteral("u_relief"), number(relief)},
+                                                        {QStringLiteral("u_depth"), number(depth)}};
         return drawn(frame, shader);
     };
     QVERIFY(!picture("Bump", 2, 0.1F, 0.5F, 1).isNull());

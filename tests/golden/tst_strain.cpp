@@ -40,7 +40,7 @@ void StrainTest::surfaceInTheColorsOfTheLegend() {
     RenderFrame frame = flatFrame(49);
     frame.surface.shader = QStringLiteral("Strain");
     frame.surface.meshResolution = resolution;
-    frame.surface.uniforms[QStringLiteral("u_shading")] = number(0);
+    frame.surface.uniforms[frame.surface.shader][QStringLiteral("u_shading")] = number(0);
     frame.strainRange = range;
     const auto part = [](float u) { return 1.2F * (2 * u - 1); };
     for (int i = 0; i < 49 * 49; ++i)
@@ -57,7 +57,7 @@ void StrainTest::surfaceInTheColorsOfTheLegend() {
 void StrainTest::sheetsWithoutStrainsAreUnstrained() {
     RenderFrame frame = flatFrame(5);
     frame.surface.shader = QStringLiteral("Strain");
-    frame.surface.uniforms[QStringLiteral("u_shading")] = number(0);
+    frame.surface.uniforms[frame.surface.shader][QStringLiteral("u_shading")] = number(0);
     frame.spheres = {{QVector3D(0.5F, 0.6F, 0.5F), 0.2F}};
     const QPoint corner = toPixel(frame, QVector3D(0.1F, 0.5F, 0.1F));
     const QPoint ball = toPixel(frame, QVector3D(0.5F, 0.784F, 0.5F));

@@ -18,6 +18,8 @@ private slots:
     void settingsThatDoNotFitArePassedOver();
     void texturesOfItsOwn();
     void whatHasNoControlIsSaid();
+    void ourNamesWithAnotherTypeAreSaid();
+    void aBrokenShaderLeavesTheSettingsOfTheOneThatIsDrawn();
     void ownShadersAreAllDescribed();
 
 private:
@@ -54,7 +56,8 @@ void UserUniformsTest::listedInTheOrderOfTheFile() {
               "void main() { out_color = u_color * vec4(u_a_color * (u_m ? u_z : 0.0), float(u_n)); }\n"));
     drawn(m_frame);
     QVERIFY2(m_studio->faults().isEmpty(), qPrintable(m_studio->faults()));
-    QVERIFY(m_studio->renderer.shaderWasBuilt());
+    const int builds = m_studio->renderer.builds();
+    QVERIFY(builds > 0);
     const std::vector<UniformSpec> specs = m_studio->renderer.uniforms();
     QCOMPARE(specs.size(), std::size_t(4));
     QCOMPARE(specs[0].name, QStringLiteral("u_z"));
@@ -67,7 +70,7 @@ void UserUniformsTest::listedInTheOrderOfTheFile() {
     QCOMPARE(specs[3].type, UniformSpec::Type::Int);
     QCOMPARE(specs[3].initial, number(3));
     drawn(m_frame);
-    QVERIFY(!m_studio->renderer.shaderWasBuilt());
+    QCOMPARE(m_studio->renderer.builds(), builds);
 }
 
 void UserUniformsTest::defaultsAndSettings() {
@@ -75,10 +78,10 @@ void UserUniformsTest::defaultsAndSettings() {
                   "out vec4 out_color;\nvoid main() { out_color = u_b ? vec4(u_f, u_v, 1) : vec4(1); }\n"));
     QVERIFY(isNear(drawn(m_frame), toColor({0.4F, 0.2F, 0.6F}), 1));
     RenderFrame set = m_frame;
-    set.surface.uniforms = {{QStringLiteral("u_f"), number(0.8F)},
-                            {QStringLiteral("u_v"), {2, {0.1F, 0}, {}}}};
+    set.surface.uniforms[set.surface.shader] = {{QStringLiteral("u_f"), number(0.8F)},
+                                                {QStringLiteral("u_v"), {2, {0.1F, 0}, {}}}};
     QVERIFY(isNear(drawn(set), toColor({0.8F, 0.1F, 0}), 1));
-    set.surface.uniforms[QStringLiteral("u_b")] = number(0);
+    set.surface.uniforms[set.surface.shader][QStringLiteral("u_b")] = number(0);
     QVERIFY(isNear(drawn(set), qRgb(255, 255, 255), 0));
     QVERIFY(isNear(drawn(m_frame), toColor({0.4F, 0.2F, 0.6F}), 1)); // and back to what the file says
 }
@@ -89,7 +92,8 @@ void UserUniformsTest::settingsThatDoNotFitArePassedOver() {
     for (const UniformSetting& wrong :
          {number(1), UniformSetting{2, {1, 1}, {}}, UniformSetting{4, {1, 1, 1, 1}, {}},
           UniformSetting{0, {}, QStringLiteral("texture_1.png")}}) {
-        m_frame.surface.uniforms = {{QStringLiteral("u_v"), wrong}, {QStringLiteral("u_gone"), wrong}};
+        m_frame.surface.uniforms[m_frame.surface.shader] = {{QStringLiteral("u_v"), wrong},
+                                                            {QStringLiteral("u_gone"), wrong}};
         QVERIFY(isNear(drawn(m_frame), toColor({0.2F, 0.4F, 0.6F}), 1));
         QVERIFY(m_studio->renderer.problems().isEmpty());
     }
@@ -110,13 +114,14 @@ void UserUniformsTest::texturesOfItsOwn() {
     }
     QVERIFY(write(text + "uniform int u_which;\nvoid main() { out_color = " + sum + "; }\n"));
     for (int i = 0; i < 10; ++i) {
-        m_frame.surface.uniforms[QStringLiteral("u_which")] = number(float(i));
+        m_frame.surface.uniforms[m_frame.surface.shader][QStringLiteral("u_which")] = number(float(i));
         // 180, 75, 128 of sRGB in linear light.
         const QRgb expected = i == 9 ? qRgb(116, 18, 55) : qRgb(20 * i, 255 - 20 * i, 128);
         QVERIFY2(isNear(drawn(m_frame), expected, 1), qPrintable(QColor(drawn(m_frame)).name()));
     }
     QVERIFY2(m_studio->faults().isEmpty(), qPrintable(m_studio->faults()));
-    m_frame.surface.uniforms[QStringLiteral("u_map_9")] = {0, {}, QStringLiteral("not_there.png")};
+    m_frame.surface.uniforms[m_frame.surface.shader][QStringLiteral("u_map_9")] = {
+        0, {}, QStringLiteral("not_there.png")};
     drawn(m_frame);
     QVERIFY(m_studio->faults().startsWith(QStringLiteral("not_there.png: ")));
 }
@@ -128,6 +133,29 @@ void UserUniformsTest::whatHasNoControlIsSaid() {
     QCOMPARE(m_studio->renderer.problems().size(), 2);
     QVERIFY(m_studio->faults().contains(QStringLiteral("u_turn")));
     QVERIFY(m_studio->faults().contains(QStringLiteral("u_list")));
+}
+
+void UserUniformsTest::ourNamesWithAnotherTypeAreSaid() {
+    QVERIFY(write("uniform vec3 u_color; uniform float u_cam_pos; uniform sampler2D u_texture_cubemap;\n"
+                  "uniform vec3 u_light_pos; out vec4 out_color;\n"
+                  "void main() { out_color = vec4(u_color, 1) + vec4(u_cam_pos) + texture(u_texture_cubemap, vec2(0))\n"
+                  "  + vec4(0, u_light_pos == vec3(0.5, 2, 2) ? 1 : 0, 0, 0); }\n"));
+    QCOMPARE(qGreen(drawn(m_frame)), 255); // it is drawn all the same, with what has the right type
+    QCOMPARE(m_studio->renderer.problems().size(), 3);
+    for (const char* name : {"u_color", "u_cam_pos", "u_texture_cubemap"})
+        QVERIFY2(m_studio->faults().contains(QLatin1String(name)), qPrintable(m_studio->faults()));
+    QVERIFY(m_studio->renderer.uniforms().empty());
+}
+
+void UserUniformsTest::aBrokenShaderLeavesTheSettingsOfTheOneThatIsDrawn() {
+    QVERIFY(write("uniform float u_x; // 0.2\nout vec4 out_color;\nvoid main() { out_color = vec4(u_x); }\n"));
+    QVERIFY(isNear(drawn(m_frame), qRgb(51, 51, 51), 1));
+    const QString good = m_frame.surface.shader;
+    m_frame.surface.shader = QStringLiteral("NotThere");
+    m_frame.surface.uniforms[good][QStringLiteral("u_x")] = number(0.8F);
+    m_frame.surface.uniforms[m_frame.surface.shader][QStringLiteral("u_x")] = number(0.4F);
+    QVERIFY(isNear(drawn(m_frame), qRgb(204, 204, 204), 1));
+    QCOMPARE(m_studio->renderer.shaderInUse(), good);
 }
 
 // What the program's own shaders let the user set has a label and, for numbers, a range that holds the

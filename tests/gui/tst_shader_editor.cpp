@@ -133,6 +133,8 @@ void TestShaderEditor::aFileIsSavedAsItWasRead_data() {
     QTest::newRow("no last line end") << QByteArray("void main() {}");
     QTest::newRow("DOS") << QByteArray("// one\r\n// two\r\n");
     QTest::newRow("UTF-8") << QByteArray("// größe ✓\n");
+    QTest::newRow("Latin-1") << QByteArray("// gr\xF6\xDF"
+                                           "e\n");
     QTest::newRow("tabs") << QByteArray("\tvoid\n\n\n");
 }
 
