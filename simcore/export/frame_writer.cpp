@@ -53,6 +53,8 @@ FrameWriter::Trouble FrameWriter::guarded(Call call) {
         m_trouble = call();
     } catch (const std::exception& e) {
         m_trouble = std::string("its content could not be made (") + e.what() + "); try again";
+    } catch (...) {
+        m_trouble = "its content could not be made; try again";
     }
     if (!m_trouble)
         return std::nullopt;

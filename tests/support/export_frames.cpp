@@ -83,6 +83,10 @@ std::string ByteReader::text(std::size_t size) {
     return text;
 }
 
+bool sameFloat(float a, float b) {
+    return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
+}
+
 std::string bytesOfFile(const std::string& path) {
     std::ifstream in(path, std::ios::binary);
     return in ? std::string(std::istreambuf_iterator<char>(in), {}) : "(cannot be read)";

@@ -63,6 +63,8 @@ private:
     bool m_failed = false;
 };
 
+bool sameFloat(float a, float b); // to the last bit, where QCOMPARE lets pass what is nearly the same
+
 std::string bytesOfFile(const std::string& path); // "(cannot be read)" if it cannot
 
 } // namespace clothlab::test
