@@ -74,10 +74,10 @@ void addOutputOptions(QCommandLineParser& parser) {
 QString readOutputs(const QCommandLineParser& parser, FrameWriters& writers) {
     std::vector<Output> outputs;
     for (const QString& file : parser.values("output"))
-        if (const QString error = readOutput(file, outputs); !error.isEmpty())
+        if (QString error = readOutput(file, outputs); !error.isEmpty())
             return error;
     Placement placement;
-    if (const QString error = readPlacement(parser, placement); !error.isEmpty())
+    if (QString error = readPlacement(parser, placement); !error.isEmpty())
         return error;
     writers = makeWriters(outputs, placement);
     const QString measures = parser.value("measures");
@@ -85,6 +85,10 @@ QString readOutputs(const QCommandLineParser& parser, FrameWriters& writers) {
         return {};
     if (exportFormat(measures.toStdString()) != ExportFormat::Csv)
         return QStringLiteral("--measures takes a file that ends in .csv, not '%1'").arg(measures);
+    for (const Output& output : outputs)
+        if (!output.path.isSequence() && fileOf(output.path.forFrame(0)) == fileOf(measures))
+            return QStringLiteral("--measures and --output both name %1; give one of them another name")
+                .arg(measures);
     writers.push_back(makeMeasuresWriter(measures.toStdString()));
     return {};
 }

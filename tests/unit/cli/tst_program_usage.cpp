@@ -82,6 +82,7 @@ private slots:
         row("simulate SCENE --scale 1m", "'1m'");
         row("simulate SCENE --measures a.obj", ".csv");
         row("simulate SCENE --measures=", ".csv");
+        row("simulate SCENE --output a.csv --measures ./a.csv", "another name");
         row("simulate SCENE --output a.obj --output b.txt", "b.txt");
         row("simulate SCENE --output %s.obj", "%d");
         row("simulate SCENE --output %d%d.obj", "%04d");
