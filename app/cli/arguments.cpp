@@ -27,6 +27,22 @@ QString readInteger(const QCommandLineParser& parser, const QString& option, int
     return {};
 }
 
+QString readNumber(const QCommandLineParser& parser, const QString& option, double minimum, double maximum,
+                   double& value) {
+    if (!parser.isSet(option))
+        return {};
+    bool ok = false;
+    const double number = parser.value(option).toDouble(&ok);
+    if (!ok || !(number >= minimum && number <= maximum))
+        return QStringLiteral("--%1 takes a number from %2 to %3, not '%4'")
+            .arg(option)
+            .arg(minimum)
+            .arg(maximum)
+            .arg(parser.value(option));
+    value = number;
+    return {};
+}
+
 std::optional<QSize> readSize(const QString& text) {
     static const QRegularExpression pattern("^([1-9]\\d{1,4})x([1-9]\\d{1,4})$");
     const QRegularExpressionMatch match = pattern.match(text);

@@ -18,6 +18,10 @@ int fail(ExitStatus status, const QString& message);
 QString readInteger(const QCommandLineParser& parser, const QString& option, int minimum, int maximum,
                     std::optional<int>& value);
 
+// The same of an option that takes a number.
+QString readNumber(const QCommandLineParser& parser, const QString& option, double minimum, double maximum,
+                   double& value);
+
 // "1280x800"; nothing if it is anything else.
 std::optional<QSize> readSize(const QString& text);
 

@@ -48,8 +48,12 @@ QString helpText() {
       --fps F                           frames per second instead of the scene's
       --steps S                         steps per frame instead of the scene's
       --threads T                       threads at most (automatic); the result is the same
-      --output FILE                     write the last frame as .obj or .csv; with %04d in its name,
-                                        every frame from 0, the start; may be given several times
+      --output FILE                     write the last frame as .obj, .ply or .csv; with %04d in its
+                                        name, every frame from 0, the start, a file each; or all
+                                        frames in one .pc2, .mdd or .glb; may be given several times
+      --axis y|z                        axis that is up in these files (default y)
+      --scale S                         their units per metre (default 1)
+      --measures FILE                   write energies and strains of every frame as .csv
       --report FILE|-                   write measures of the run as JSON
   clothlab render SCENE                 make a picture; needs an X server, like that of xvfb-run
       --frame N                         frame to show (default 90)

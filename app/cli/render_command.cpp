@@ -15,8 +15,6 @@
 #include <QPainter>
 #include <QSaveFile>
 
-#include <Eigen/Geometry>
-
 #include <cstdio>
 
 namespace clothlab::cli {

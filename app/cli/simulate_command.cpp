@@ -1,10 +1,9 @@
 #include "app/cli/simulate_command.h"
 
 #include "app/cli/arguments.h"
-#include "app/cli/output_path.h"
 #include "app/cli/run_report.h"
+#include "app/cli/simulate_outputs.h"
 #include "simcore/base/file.h"
-#include "simcore/export/export.h"
 #include "simcore/inspect/blow_up_text.h"
 #include "simcore/inspect/stability.h"
 #include "simcore/scene/parameters.h"
@@ -23,38 +22,21 @@ namespace {
 std::atomic<bool> stopRequested{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "written by a signal handler");
 
-struct Output {
-    OutputPath path;
-    ExportFormat format;
-};
-
 struct Options {
     QString scene;
     int frames = 90;
     std::optional<int> framesPerSecond, stepsPerFrame, threads;
-    std::vector<Output> outputs;
+    FrameWriters writers;
     QString report;
 };
-
-QString readOutputs(const QStringList& names, std::vector<Output>& outputs) {
-    for (const QString& file : names) {
-        const auto format = exportFormat(file.toStdString());
-        const auto path = OutputPath::parse(file);
-        if (!format)
-            return QStringLiteral("--output %1: files end in .obj or .csv").arg(file);
-        if (!path)
-            return QStringLiteral("--output %1: at most one %d or %04d, and %% for a percent sign").arg(file);
-        outputs.push_back({*path, *format});
-    }
-    return {};
-}
 
 // What is wrong with the arguments; empty if nothing is.
 QString parse(const QStringList& arguments, Options& options) {
     QCommandLineParser parser;
     parser.addPositionalArgument("scene", {});
-    for (const char* name : {"frames", "fps", "steps", "threads", "output", "report"})
+    for (const char* name : {"frames", "fps", "steps", "threads", "report"})
         parser.addOption({name, {}, "value"});
+    addOutputOptions(parser);
     if (!parser.parse(QStringList{"clothlab"} + arguments))
         return parser.errorText();
     if (parser.positionalArguments().size() != 1)
@@ -69,8 +51,7 @@ QString parse(const QStringList& arguments, Options& options) {
          {readInteger(parser, "frames", 0, 100'000'000, frames),
           readInteger(parser, "fps", int(fps.minimum), int(fps.maximum), options.framesPerSecond),
           readInteger(parser, "steps", int(steps.minimum), int(steps.maximum), options.stepsPerFrame),
-          readInteger(parser, "threads", 1, 1024, options.threads),
-          readOutputs(parser.values("output"), options.outputs)})
+          readInteger(parser, "threads", 1, 1024, options.threads), readOutputs(parser, options.writers)})
         if (!error.isEmpty())
             return error;
     options.frames = *frames;
@@ -91,16 +72,14 @@ void showProgress(int frame, int frames) {
                  frame == frames ? "\n" : "");
 }
 
-// What went wrong; empty if nothing did.
-QString writeOutputs(const std::vector<Output>& outputs, const Frame& frame, int number, bool last) {
-    for (const Output& output : outputs) {
-        if (!output.path.isSequence() && !last)
-            continue;
-        const QString path = output.path.forFrame(number);
-        if (const auto error = exportFrame(frame, output.format, path.toStdString()))
-            return QString::fromStdString(*error);
-    }
-    return {};
+// Calls it with every writer. Returns the first trouble, in words; empty if there is none.
+template <typename Call>
+QString forEachWriter(const FrameWriters& writers, Call call) {
+    QString first;
+    for (const auto& writer : writers)
+        if (const auto trouble = call(*writer); trouble && first.isEmpty())
+            first = QString::fromStdString(*trouble);
+    return first;
 }
 
 struct Run {
@@ -109,35 +88,49 @@ struct Run {
     QString outputError;
 };
 
-Run simulate(VerletSolver& solver, const Options& options) {
-    const auto scene = std::make_shared<const Scene>(solver.scene());
-    const double frameTime = 1.0 / scene->simulation.framesPerSecond;
-    Run run;
-    run.summary.threads = solver.threads();
-    ClothState state = solver.start();
-    run.last = std::make_shared<const Frame>(Frame{state, scene, 0, 0, 0});
+// Frame after frame, until the last, a blow-up, an interruption or a file that cannot be written.
+void simulateFrames(VerletSolver& solver, const Options& options, Run& run) {
+    const double frameTime = 1.0 / solver.scene().simulation.framesPerSecond;
+    ClothState state = run.last->state;
     for (int number = 0;; ++number) {
         showProgress(number, options.frames);
-        const bool atEnd = number == options.frames;
-        FrameResult result;
-        if (!atEnd) {
-            QElapsedTimer timer;
-            timer.start();
-            result = runFrame(solver, state, stopRequested);
-            run.summary.seconds += double(timer.nsecsElapsed()) * 1e-9;
-        }
-        run.outputError = writeOutputs(options.outputs, *run.last, number, !result.finished);
-        if (!result.finished || !run.outputError.isEmpty()) {
+        run.outputError =
+            forEachWriter(options.writers, [&](FrameWriter& writer) { return writer.add(run.last); });
+        if (number == options.frames || !run.outputError.isEmpty())
+            return;
+        QElapsedTimer timer;
+        timer.start();
+        const FrameResult result = runFrame(solver, state, stopRequested);
+        run.summary.seconds += double(timer.nsecsElapsed()) * 1e-9;
+        if (!result.finished) {
             if (result.blowUp)
                 run.summary.blowUp = RunBlowUp{*result.blowUp, number + 1, result.blowUpStep};
-            run.summary.interrupted = !atEnd && !result.blowUp && !result.finished;
-            return run;
+            run.summary.interrupted = !result.blowUp;
+            return;
         }
         run.summary.frames = number + 1;
         run.summary.strainLimitCorrections += result.strainLimitCorrections;
         run.last = std::make_shared<const Frame>(
-            Frame{state, scene, (number + 1) * frameTime, result.strainLimitCorrections, 0});
+            Frame{state, run.last->scene, (number + 1) * frameTime, result.strainLimitCorrections, 0});
     }
+}
+
+// However the frames end, what can be written of them is: a file for all frames holds the good ones.
+Run simulate(VerletSolver& solver, const Options& options) {
+    Run run;
+    run.summary.threads = solver.threads();
+    run.last = std::make_shared<const Frame>(
+        Frame{solver.start(), std::make_shared<const Scene>(solver.scene()), 0, 0, 0});
+    run.outputError = forEachWriter(options.writers, [&](FrameWriter& writer) {
+        return writer.begin(solver.sheet(), options.frames + 1);
+    });
+    if (!run.outputError.isEmpty())
+        return run;
+    simulateFrames(solver, options, run);
+    const QString error = forEachWriter(options.writers, [](FrameWriter& writer) { return writer.finish(); });
+    if (run.outputError.isEmpty())
+        run.outputError = error;
+    return run;
 }
 
 QString writeReport(const QString& path, const std::string& text) {
@@ -146,7 +139,7 @@ QString writeReport(const QString& path, const std::string& text) {
         return std::fflush(stdout) == 0 ? QString() : QStringLiteral("the report could not be written");
     }
     const auto error = writeFileWhole(path.toStdString(), [&](std::ostream& out) { out << text; });
-    return error ? QString::fromStdString(*error) : QString();
+    return error ? path + ": " + QString::fromStdString(*error) : QString();
 }
 
 } // namespace

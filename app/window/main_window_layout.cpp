@@ -197,7 +197,7 @@ void MainWindow::arrangeDocks() {
     resizeDocks({dock("appearance"), dock("simulation")}, {4 * unit, 4 * unit}, Qt::Horizontal);
     resizeDocks({dock("springs"), dock("appearance")}, {dock("springs")->sizeHint().height(), height()},
                 Qt::Vertical);
-    resizeDocks({dock("simulation"), dock("inspector")}, {5 * height(), 2 * height()}, Qt::Vertical);
+    resizeDocks({dock("simulation"), dock("inspector")}, {height(), height()}, Qt::Vertical);
     resizeDocks({dock("timeline")}, {dock("timeline")->minimumSizeHint().height()}, Qt::Vertical);
 }
 

@@ -243,7 +243,7 @@ private:
             m_path = folder + "/.clothlab-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) +
                      ".tmp";
             const int fd = withoutInterruption(
-                [&] { return ::open(m_path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode); });
+                [&] { return ::open(m_path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, mode); });
             if (fd >= 0)
                 return fd;
             if (errno != EEXIST)
@@ -259,11 +259,7 @@ private:
     FileDescriptor m_file;
 };
 
-std::optional<std::string> fill(int fd, const std::function<void(std::ostream&)>& write) {
-    DescriptorBuffer buffer(fd);
-    std::ostream out(&buffer);
-    write(out);
-    out.flush();
+std::optional<std::string> troubleOf(const DescriptorBuffer& buffer, const std::ostream& out) {
     if (buffer.error() != 0)
         return sentence(describe(buffer.error()));
     if (!out)
@@ -271,42 +267,63 @@ std::optional<std::string> fill(int fd, const std::function<void(std::ostream&)>
     return std::nullopt;
 }
 
-std::optional<std::string> replaceFile(const std::string& path,
-                                       const std::function<void(std::ostream&)>& write) {
+bool writeAt(int fd, const char* from, std::size_t count, off_t offset) {
+    while (count > 0) {
+        const ssize_t written = withoutInterruption([&] { return ::pwrite(fd, from, count, offset); });
+        if (written < 0)
+            return false;
+        from += written;
+        count -= static_cast<std::size_t>(written);
+        offset += written;
+    }
+    return true;
+}
+
+// Moves what is from `from` to the end of the file to `to`, before it, and ends the file there.
+bool moveUp(int fd, off_t from, off_t to) {
+    std::string block(std::size_t(1) << 20U, '\0');
+    for (;;) {
+        const ssize_t got =
+            withoutInterruption([&] { return ::pread(fd, block.data(), block.size(), from); });
+        if (got <= 0)
+            return got == 0 && ::ftruncate(fd, to) == 0 && ::lseek(fd, to, SEEK_SET) == to;
+        if (!writeAt(fd, block.data(), static_cast<std::size_t>(got), to))
+            return false;
+        from += got;
+        to += got;
+    }
+}
+
+// Where a file is to be written, and what is there now.
+struct Place {
+    std::string target; // behind all links
+    bool exists = false;
+    struct stat old {};
+};
+
+std::optional<std::string> findPlace(const std::string& path, Place& place) {
     if (!usableName(path))
         return std::string(kUnusableName) + "; " + kUnusableNameRemedy;
     int error = 0;
-    const std::string target = followLinks(path, error);
+    place.target = followLinks(path, error);
     if (error != 0)
         return sentence(describe(error));
-
-    struct stat old {};
-    const bool exists = ::stat(target.c_str(), &old) == 0;
-    if (exists && !S_ISREG(old.st_mode))
-        return sentence(describeKind(old.st_mode));
+    place.exists = ::stat(place.target.c_str(), &place.old) == 0;
+    if (place.exists && !S_ISREG(place.old.st_mode))
+        return sentence(describeKind(place.old.st_mode));
     // Renaming would replace a file that its owner has protected from writing.
-    if (exists && ::access(target.c_str(), W_OK) != 0)
+    if (place.exists && ::access(place.target.c_str(), W_OK) != 0)
         return sentence(describe(errno));
-
-    TemporaryFile file(folderOf(target), exists ? 0600 : 0666);
-    if (file.get() < 0)
-        return sentence(describe(errno));
-    if (auto trouble = fill(file.get(), write))
-        return trouble;
-    if (exists) {
-        // Only a privileged user can give a file away; to others the file becomes theirs.
-        [[maybe_unused]] const int owner = ::fchown(file.get(), old.st_uid, old.st_gid);
-        if (::fchmod(file.get(), old.st_mode & 07777) != 0)
-            return sentence(describe(errno));
-    }
-    if (!file.renameTo(target))
-        return sentence(describe(errno));
-
-    // The file is complete either way; this only makes the rename outlast a loss of power.
-    const FileDescriptor folder(::open(folderOf(target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    if (folder.get() >= 0)
-        ::fsync(folder.get());
     return std::nullopt;
+}
+
+std::optional<std::string> replaceFile(const std::string& path,
+                                       const std::function<void(std::ostream&)>& write) {
+    WholeFile file;
+    if (auto trouble = file.open(path))
+        return trouble;
+    write(file.out());
+    return file.finish();
 }
 
 } // namespace
@@ -319,6 +336,90 @@ FileText readFile(const std::string& path, std::uint64_t maxBytes) {
     } catch (const std::exception&) {
         return failure("does not fit into the memory", "close other programs or make the file smaller");
     }
+}
+
+struct WholeFile::Open {
+    explicit Open(Place p)
+        : place(std::move(p)), file(folderOf(place.target), place.exists ? 0600 : 0666), buffer(file.get()) {}
+
+    Place place;
+    TemporaryFile file;
+    DescriptorBuffer buffer;
+    std::ostream out{&buffer};
+};
+
+WholeFile::WholeFile() = default;
+WholeFile::~WholeFile() = default;
+
+std::optional<std::string> WholeFile::open(const std::string& path) {
+    m_file.reset();
+    Place place;
+    if (auto trouble = findPlace(path, place))
+        return trouble;
+    auto file = std::make_unique<Open>(std::move(place));
+    if (file->file.get() < 0)
+        return sentence(describe(errno));
+    m_file = std::move(file);
+    return std::nullopt;
+}
+
+std::ostream& WholeFile::out() {
+    return m_file->out;
+}
+
+std::optional<std::string> WholeFile::trouble() const {
+    return troubleOf(m_file->buffer, m_file->out);
+}
+
+std::optional<std::string> WholeFile::skip(std::uint64_t count) {
+    m_file->out.flush();
+    if (auto before = trouble())
+        return before;
+    const off_t end = ::lseek(m_file->file.get(), static_cast<off_t>(count), SEEK_CUR);
+    if (end < 0 || ::ftruncate(m_file->file.get(), end) != 0)
+        return sentence(describe(errno));
+    return std::nullopt;
+}
+
+std::optional<std::string> WholeFile::replace(std::uint64_t offset, std::string_view bytes) {
+    m_file->out.flush();
+    if (auto before = trouble())
+        return before;
+    if (!writeAt(m_file->file.get(), bytes.data(), bytes.size(), static_cast<off_t>(offset)))
+        return sentence(describe(errno));
+    return std::nullopt;
+}
+
+std::optional<std::string> WholeFile::remove(std::uint64_t offset, std::uint64_t count) {
+    m_file->out.flush();
+    if (auto before = trouble())
+        return before;
+    if (count > 0 &&
+        !moveUp(m_file->file.get(), static_cast<off_t>(offset + count), static_cast<off_t>(offset)))
+        return sentence(describe(errno));
+    return std::nullopt;
+}
+
+std::optional<std::string> WholeFile::finish() {
+    const std::unique_ptr<Open> open = std::move(m_file); // gone in any case
+    open->out.flush();
+    if (auto trouble = troubleOf(open->buffer, open->out))
+        return trouble;
+    const Place& place = open->place;
+    if (place.exists) {
+        // Only a privileged user can give a file away; to others the file becomes theirs.
+        [[maybe_unused]] const int owner = ::fchown(open->file.get(), place.old.st_uid, place.old.st_gid);
+        if (::fchmod(open->file.get(), place.old.st_mode & 07777) != 0)
+            return sentence(describe(errno));
+    }
+    if (!open->file.renameTo(place.target))
+        return sentence(describe(errno));
+
+    // The file is complete either way; this only makes the rename outlast a loss of power.
+    const FileDescriptor folder(::open(folderOf(place.target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (folder.get() >= 0)
+        ::fsync(folder.get());
+    return std::nullopt;
 }
 
 std::optional<std::string> writeFileWhole(const std::string& path,

@@ -154,6 +154,9 @@ RenderFrame ReliefTest::frameOf(const QString& surface, int resolution) const {
 }
 
 QImage ReliefTest::drawn(RenderFrame& frame, const char* shader) {
+    // What was set is for whichever shader is drawn.
+    const UniformSettings settings = frame.surface.uniforms.begin()->second;
+    frame.surface.uniforms = {{QLatin1String(shader), settings}};
     frame.surface.shader = QLatin1String(shader);
     const QImage image = m_studio->draw(frame);
     return m_studio->faults().isEmpty() ? image : QImage();
@@ -301,8 +304,8 @@ void ReliefTest::scalingsMultiply() {
                              float depth) {
         frame.surface.normalScaling = normal;
         frame.surface.heightScaling = heightScaling;
-        frame.surface.uniforms[frame.surface.shader] = {{QStringLiteral("u_relief"), number(relief)},
-                                                        {QStringLiteral("u_depth"), number(depth)}};
+        frame.surface.uniforms.begin()->second = {{QStringLiteral("u_relief"), number(relief)},
+                                                  {QStringLiteral("u_depth"), number(depth)}};
         return drawn(frame, shader);
     };
     QVERIFY(!picture("Bump", 2, 0.1F, 0.5F, 1).isNull());

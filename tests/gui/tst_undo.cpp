@@ -192,8 +192,7 @@ void TestUndo::typedValuesAreStepsOfTheirOwn() {
 }
 
 void TestUndo::theColourChooserIsOneStepAndFollowsUndo() {
-    auto* button = (*m_window)->findChild<QToolButton*>("sheetColor");
-    QVERIFY(button);
+    QToolButton* button = (*m_window)->appearancePanel().colorRow()->button();
     const Scene before = m_window->scene();
     m_window->click(button);
     auto* dialog = (*m_window)->findChild<QColorDialog*>();

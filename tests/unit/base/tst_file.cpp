@@ -238,6 +238,66 @@ private slots:
         QCOMPARE(namesIn(m_path.parent_path()).size(), std::size_t(1));
     }
 
+    void growsPieceByPiece() {
+        const fs::path path = folder() / "a.txt";
+        put(path, "before");
+        const std::string large(300'000, 'x'); // more than any buffer holds
+        WholeFile file;
+        QVERIFY(!file.open(path.string()));
+        file.out() << "head....";
+        QVERIFY(!file.skip(1000));
+        file.out() << large << "tail";
+        QVERIFY(!file.trouble());
+        QVERIFY(!file.replace(4, "1234"));
+        QVERIFY(!file.remove(8, 1000));
+        file.out() << "end";
+        QCOMPARE(get(path), std::string("before"));
+        QVERIFY(!file.finish());
+        QVERIFY(get(path) == "head1234" + large + "tailend");
+        QCOMPARE(namesIn(folder()), std::set<std::string>{"a.txt"});
+    }
+
+    void skippedBytesAreZero() {
+        WholeFile file;
+        QVERIFY(!file.open((folder() / "a").string()));
+        file.out() << 'a';
+        QVERIFY(!file.skip(3));
+        QVERIFY(!file.replace(2, "b"));
+        QVERIFY(!file.finish());
+        QCOMPARE(get(folder() / "a"), std::string("a\0b\0", 4));
+    }
+
+    void whatIsNotFinishedIsGone() {
+        put(folder() / "old", "before");
+        for (const char* name : {"old", "new"}) {
+            WholeFile file;
+            QVERIFY(!file.open((folder() / name).string()));
+            file.out() << "after" << std::flush;
+        }
+        QCOMPARE(get(folder() / "old"), std::string("before"));
+        QCOMPARE(namesIn(folder()), std::set<std::string>{"old"});
+        WholeFile file;
+        QVERIFY(file.open((folder() / "none" / "a").string()).has_value());
+    }
+
+    void aPieceThatDoesNotFitIsTold() {
+        const SizeLimit limit(5000);
+        {
+            WholeFile file;
+            QVERIFY(!file.open((folder() / "a").string()));
+            file.out() << std::string(100'000, 'x') << std::flush;
+            QVERIFY(file.trouble().has_value());
+            QVERIFY(file.replace(0, "y").has_value() && file.remove(0, 1).has_value());
+            QVERIFY(file.finish().has_value());
+            QVERIFY(namesIn(folder()).empty());
+        }
+        WholeFile file;
+        QVERIFY(!file.open((folder() / "a").string()));
+        QVERIFY(file.skip(6000).has_value());
+        QVERIFY(!file.replace(0, std::string(5000, 'y')));
+        QVERIFY(file.replace(1, std::string(5000, 'y')).has_value());
+    }
+
     void saysWhyItCannotWrite_data() {
         QTest::addColumn<QString>("kind");
         QTest::addColumn<QString>("words");
@@ -294,6 +354,8 @@ private slots:
     }
 
 private:
+    fs::path folder() const { return m_path.parent_path(); }
+
     std::unique_ptr<QTemporaryDir> m_folder;
     fs::path m_path;
 };

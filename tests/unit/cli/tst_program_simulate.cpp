@@ -5,6 +5,7 @@
 #include "simcore/recording/recording.h"
 #include "simcore/scene/scene_io.h"
 #include "simcore/solver/verlet_solver.h"
+#include "tests/support/export_frames.h"
 #include "tests/support/program.h"
 #include "tests/support/scene_text.h"
 #include "tests/support/tiny_scene.h"
@@ -236,6 +237,131 @@ private slots:
         QCOMPARE(read(in("last%.obj")), read(in("a_0003.obj")));
     }
 
+    void aFileForAllFramesHoldsThem() {
+        const Solved expected(busyScene(), 5);
+        saveAs(expected.scene);
+        const auto run = runProgram({"simulate", m_scene, "--frames", "5", "--output", in("a.pc2"),
+                                     "--output", in("b.mdd"), "--output", in("c.glb"), "--output",
+                                     in("d.ply"), "--output", in("e%d.ply"), "--output", in("f%d.obj")});
+        QVERIFY2(run.status == 0, qPrintable(run.err));
+        QCOMPARE(files(), QStringList({"a.obj", "a.pc2", "b.mdd", "b.obj", "c.glb", "d.ply", "e0.ply",
+                                       "e1.ply", "e2.ply", "e3.ply", "e4.ply", "e5.ply", "f0.obj", "f1.obj",
+                                       "f2.obj", "f3.obj", "f4.obj", "f5.obj", "scene.json"}));
+        QCOMPARE(frames("a.pc2", expected), 6);
+        QCOMPARE(frames("b.mdd", expected), 6);
+        QVERIFY(read(in("c.glb")).contains("\"frame 5\"") && !read(in("c.glb")).contains("\"frame 6\""));
+        QCOMPARE(read(in("a.obj")), read(in("f0.obj")));
+        QCOMPARE(read(in("b.obj")), read(in("f0.obj")));
+        QCOMPARE(read(in("d.ply")), read(in("e5.ply")));
+        QVERIFY(read(in("d.ply")) != read(in("e4.ply")));
+    }
+
+    // A mesh that the user asked for is not replaced by the one beside a cache, whatever its name is written
+    // like.
+    void theMeshBesideACacheYields() {
+        saveAs(busyScene());
+        for (const QString& obj : {in("a.obj"), in("./a.obj")}) {
+            QCOMPARE(runProgram({"simulate", m_scene, "--frames", "4", "--output", obj, "--output",
+                                 in("a.pc2"), "--output", in("b.obj")})
+                         .status,
+                     0);
+            QCOMPARE(files(), QStringList({"a.obj", "a.pc2", "b.obj", "scene.json"}));
+            QCOMPARE(read(in("a.obj")), read(in("b.obj")));
+        }
+        // Two caches of one name share it.
+        QCOMPARE(runProgram({"simulate", m_scene, "--frames", "4", "--output", in("c.pc2"), "--output",
+                             in("c.mdd"), "--output", in("d%d.obj")})
+                     .status,
+                 0);
+        QCOMPARE(read(in("c.obj")), read(in("d0.obj")));
+    }
+
+    void axisAndScaleHoldForEveryFormat() {
+        const Solved expected(busyScene(), 2);
+        saveAs(expected.scene);
+        const auto run = runProgram({"simulate",  m_scene,       "--frames",  "2",         "--axis",
+                                     "z",         "--scale",     "100",       "--output",  in("a.obj"),
+                                     "--output",  in("b%d.csv"), "--output",  in("c.ply"), "--output",
+                                     in("d.glb"), "--output",    in("e.pc2"), "--output",  in("f.mdd")});
+        QVERIFY2(run.status == 0, qPrintable(run.err));
+        for (const char* file : {"a.obj", "c.ply", "d.glb", "e.obj", "f.obj"})
+            QVERIFY2(read(in(file)).contains("ClothLab, 100 units per metre, z up"), file);
+        const Vec3 last = expected.states.back().position.at(62);
+        const std::vector<double> place{100 * last.x(), -100 * last.z(), 100 * last.y()};
+        QVERIFY(numbersAfter(read(in("a.obj")), "v ", ' ').at(62) == place);
+        const auto row = numbersAfter(read(in("b2.csv")), "62,", ',').at(0);
+        QVERIFY(std::vector(row.begin() + 2, row.begin() + 5) == place);
+        for (const char* file : {"e.pc2", "f.mdd"}) {
+            const QByteArray bytes = read(in(file));
+            test::ByteReader point(bytes.toStdString(), std::size_t(bytes.size()) - 12);
+            for (const double value : place)
+                QVERIFY(
+                    test::sameFloat(file[0] == 'e' ? point.littleFloat() : point.bigFloat(), float(value)));
+        }
+    }
+
+    void measuresOfEveryFrame() {
+        const Solved expected(busyScene(), 12);
+        saveAs(expected.scene);
+        const auto run = runProgram({"simulate", m_scene, "--frames", "12", "--measures", in("m.csv"),
+                                     "--report", "-", "--scale", "9"});
+        QVERIFY2(run.status == 0, qPrintable(run.err));
+        const json report = test::report(run.out);
+        const QByteArray text = read(in("m.csv"));
+        const auto rows = numbersAfter(text.mid(text.indexOf('\n') + 1), "", ',');
+        QCOMPARE(rows.size(), 13U);
+        const std::vector<double> last{12,
+                                       12 / 50.0,
+                                       report.at("kinetic_energy").get<double>(),
+                                       report.at("potential_energy").get<double>(),
+                                       report.at("max_strain").at("structural").get<double>(),
+                                       report.at("max_strain").at("shearing").get<double>(),
+                                       report.at("max_strain").at("bending").get<double>()};
+        for (std::size_t i = 0; i < last.size(); ++i)
+            QVERIFY(qFuzzyCompare(rows[12][i], last[i]));
+        double corrections = 0;
+        for (const auto& row : rows)
+            corrections += row.at(7);
+        QCOMPARE(corrections, double(expected.corrections));
+    }
+
+    void aBlowUpKeepsTheGoodFrames() {
+        const Solved expected(test::unstableScene(), 100);
+        const int good = int(expected.states.size()); // with frame 0
+        saveAs(expected.scene);
+        const auto run =
+            runProgram({"simulate", m_scene, "--frames", "100", "--output", in("a.pc2"), "--output",
+                        in("b.mdd"), "--output", in("c.glb"), "--measures", in("m.csv")});
+        QCOMPARE(run.status, 4);
+        QCOMPARE(files(), QStringList({"a.obj", "a.pc2", "b.mdd", "b.obj", "c.glb", "m.csv", "scene.json"}));
+        QCOMPARE(frames("a.pc2", expected), good);
+        QCOMPARE(frames("b.mdd", expected), good);
+        QCOMPARE(read(in("m.csv")).count('\n'), good + 1);
+        QVERIFY(!read(in("c.glb")).contains(QString("\"frame %1\"").arg(good).toLatin1()));
+    }
+
+    void aFileThatIsTooLargeIsRefusedBeforeTheRun() {
+        saveAs(busyScene());
+        const auto run = runProgram({"simulate", m_scene, "--frames", "100000000", "--output", in("a.glb")});
+        QCOMPARE(run.status, 6);
+        QVERIFY2(run.err.contains("a.glb: 100000001 frames are more than the 1000"), qPrintable(run.err));
+        QCOMPARE(files(), QStringList{"scene.json"});
+    }
+
+    // One output that fails ends the run; what the others have is kept.
+    void anOutputThatFailsLeavesTheOthers() {
+        const Solved expected(busyScene(), 3);
+        saveAs(expected.scene);
+        QVERIFY(QDir(m_folder->path()).mkdir("b2.obj"));
+        const auto run = runProgram({"simulate", m_scene, "--frames", "50", "--output", in("a.pc2"),
+                                     "--output", in("b%d.obj"), "--output", in("c.ply")});
+        QCOMPARE(run.status, 6);
+        QVERIFY2(run.err.contains("clothlab: " + in("b2.obj") + ": is a folder"), qPrintable(run.err));
+        QCOMPARE(frames("a.pc2", expected), 3);
+        QCOMPARE(files(),
+                 QStringList({"a.obj", "a.pc2", "b0.obj", "b1.obj", "b2.obj", "c.ply", "scene.json"}));
+    }
+
     void aBlowUpIsToldByPlace() {
         const Solved expected(test::unstableScene(), 100);
         QVERIFY(expected.blowUp.has_value());
@@ -272,6 +398,11 @@ private slots:
         QTest::newRow("sequence, no such folder") << QStringList{"--output", "FOLDER/none/%d.obj"};
         QTest::newRow("a folder") << QStringList{"--output", "FOLDER/folder.csv"};
         QTest::newRow("in a file") << QStringList{"--output", "FOLDER/scene.json/a.obj"};
+        QTest::newRow("cache, no such folder") << QStringList{"--output", "FOLDER/none/a.pc2"};
+        QTest::newRow("binary, in a file") << QStringList{"--output", "FOLDER/scene.json/a.glb"};
+        QTest::newRow("cache and mesh, a folder")
+            << QStringList{"--output", "FOLDER/a.mdd", "--output", "FOLDER/folder.csv/../none/b.mdd"};
+        QTest::newRow("measures are a folder") << QStringList{"--measures", "FOLDER/folder.csv"};
         QTest::newRow("report, no such folder") << QStringList{"--report", "FOLDER/none/r.json"};
         QTest::newRow("report is a folder") << QStringList{"--report", "FOLDER"};
         QTest::newRow("report is a device") << QStringList{"--report", "/dev/full"};
@@ -307,7 +438,8 @@ private slots:
         saveAs(busyScene());
         QProcess process;
         test::prepare(process, {"simulate", m_scene, "--frames", "100000000", "--steps", "3000", "--output",
-                                in("f%d.obj"), "--output", in("last.csv"), "--report", "-"});
+                                in("f%d.obj"), "--output", in("last.csv"), "--output", in("cache.mdd"),
+                                "--report", "-"});
         process.start();
         QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(in("f1.obj")), 120'000); // it is well under way
         QCOMPARE(::kill(pid_t(process.processId()), signal), 0);
@@ -320,7 +452,12 @@ private slots:
         QVERIFY(report.at("finite").get<bool>());
         const int frames = report.at("frames").get<int>();
         QVERIFY(frames >= 1);
-        QCOMPARE(files().size(), frames + 1 + 2); // 0 … frames, the last one, the scene; nothing temporary
+        // 0 … frames, the last one, the cache, its mesh, the scene; nothing temporary
+        QCOMPARE(files().size(), frames + 1 + 4);
+        QCOMPARE(read(in("cache.obj")), read(in("f0.obj")));
+        const QByteArray cache = read(in("cache.mdd"));
+        QCOMPARE(int(test::ByteReader(cache.toStdString()).big()), frames + 1);
+        QCOMPARE(cache.size(), 8 + (frames + 1) * (4 + 63 * 12));
         for (int frame = 0; frame <= frames; ++frame) {
             const QByteArray text = read(in(QString("f%1.obj").arg(frame)));
             QVERIFY(text.endsWith('\n'));
@@ -330,6 +467,23 @@ private slots:
     }
 
 private:
+    // How many frames a cache holds; -1 if it is not one of these frames.
+    int frames(const QString& file, const Solved& expected) const {
+        const std::string bytes = read(in(file)).toStdString();
+        const bool pc2 = file.endsWith("pc2");
+        test::ByteReader reader(bytes, pc2 ? 28 : 0);
+        const int count = int(pc2 ? reader.little() : reader.big());
+        if (count > int(expected.states.size()))
+            return -1;
+        if (!pc2)
+            reader.text(4 + 4 * std::size_t(count));
+        for (int frame = 0; frame < count; ++frame)
+            for (int i = 0; i < expected.solver.sheet().grid.pointCount(); ++i)
+                for (const double value : expected.states[std::size_t(frame)].position.at(i))
+                    if ((pc2 ? reader.littleFloat() : reader.bigFloat()) != float(value))
+                        return -1;
+        return reader.atEnd() ? count : -1;
+    }
     QString in(const QString& name) const { return m_folder->filePath(name); }
     void saveAs(const Scene& scene) const {
         const auto error = saveScene(scene, m_scene.toStdString());

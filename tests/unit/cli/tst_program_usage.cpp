@@ -29,9 +29,10 @@ private slots:
         QCOMPARE(help.status, 0);
         QVERIFY(help.err.isEmpty());
         // The options that these tests try; one that help names must be among them.
-        const QSet<QString> tried{"--screenshot", "--frames",  "--theme",  "--size",      "--fps",
-                                  "--steps",      "--threads", "--output", "--report",    "--help",
-                                  "--version",    "--frame",   "--shader", "--shader-dir"};
+        const QSet<QString> tried{"--screenshot", "--frames",  "--theme",   "--size",       "--fps",
+                                  "--steps",      "--threads", "--output",  "--report",     "--help",
+                                  "--version",    "--frame",   "--shader",  "--shader-dir", "--fit",
+                                  "--axis",       "--scale",   "--measures"};
         QSet<QString> named;
         static const QRegularExpression option("--[a-z-]+");
         for (auto it = option.globalMatch(help.out); it.hasNext();)
@@ -67,9 +68,22 @@ private slots:
         row("simulate SCENE --steps 0", "--steps");
         row("simulate SCENE --steps x", "'x'");
         row("simulate SCENE --threads 0", "--threads");
-        row("simulate SCENE --output a.ply", ".obj or .csv");
-        row("simulate SCENE --output a", ".obj or .csv");
-        row("simulate SCENE --output .obj", ".obj or .csv");
+        row("simulate SCENE --output a.stl", ".obj, .ply, .csv, .pc2, .mdd or .glb");
+        row("simulate SCENE --output a", ".mdd or .glb");
+        row("simulate SCENE --output .obj", ".mdd or .glb");
+        row("simulate SCENE --output a%d.pc2", "leave out %d");
+        row("simulate SCENE --output %04d.mdd", "all frames");
+        row("simulate SCENE --output a_%04d.glb", "all frames");
+        row("simulate SCENE --axis x", "'x'");
+        row("simulate SCENE --axis Z", "y or z");
+        row("simulate SCENE --scale 0", "--scale");
+        row("simulate SCENE --scale -1", "'-1'");
+        row("simulate SCENE --scale nan", "'nan'");
+        row("simulate SCENE --scale 1e7", "1e+06");
+        row("simulate SCENE --scale 1m", "'1m'");
+        row("simulate SCENE --measures a.obj", ".csv");
+        row("simulate SCENE --measures=", ".csv");
+        row("simulate SCENE --output a.csv --measures ./a.csv", "another name");
         row("simulate SCENE --output a.obj --output b.txt", "b.txt");
         row("simulate SCENE --output %s.obj", "%d");
         row("simulate SCENE --output %d%d.obj", "%04d");

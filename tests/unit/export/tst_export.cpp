@@ -1,45 +1,26 @@
-// OBJ and CSV read back by readers of their own, and files that cannot be written.
+// OBJ, PLY and CSV read back by readers of their own, and files that cannot be written.
 #include "simcore/export/export.h"
 #include "simcore/inspect/inspect.h"
-#include "tests/support/random.h"
+#include "tests/support/export_frames.h"
 
 #include <QtTest>
 
 #include <bit>
-#include <csignal>
 #include <cstdlib>
 #include <locale>
+#include <map>
 #include <sstream>
 
-#include <sys/resource.h>
-
 using namespace clothlab;
+using test::FileSizeLimit;
+using test::sampleFrame;
 
 namespace {
-
-// Numbers of every size, so that a rounded one shows.
-Frame sampleFrame(int nx = 5, int ny = 4) {
-    Scene scene;
-    scene.cloth.numWidthPoints = nx;
-    scene.cloth.numHeightPoints = ny;
-    scene.cloth.pinned = {{1, 0}, {0, 1}};
-    Frame frame;
-    frame.state = startState(scene);
-    SplitMix64 random(5);
-    for (PointArray* points : {&frame.state.position, &frame.state.lastPosition})
-        for (int i = 0; i < int(points->size()); ++i) {
-            const double size = std::pow(10, random.real(-12, 3));
-            points->set(i, Vec3(random.real(-size, size), 1.0 / 3 * size, points->z[std::size_t(i)] + 0.1));
-        }
-    frame.scene = std::make_shared<const Scene>(scene);
-    frame.time = 0.1;
-    return frame;
-}
 
 template <typename Write>
 std::string textOf(Write write, const Frame& frame) {
     std::ostringstream out;
-    write(out, frame);
+    write(out, frame, Placement{});
     return out.str();
 }
 
@@ -105,25 +86,41 @@ Vec3 vectorAt(const std::vector<std::string>& cells, std::size_t column) {
             std::strtod(cells.at(column + 2).c_str(), nullptr)};
 }
 
-// While it lives, writing a file beyond so many bytes fails, whoever writes.
-class FileSizeLimit {
-public:
-    explicit FileSizeLimit(rlim_t bytes) : m_handler(std::signal(SIGXFSZ, SIG_IGN)) {
-        ::getrlimit(RLIMIT_FSIZE, &m_old);
-        const rlimit limit{bytes, m_old.rlim_max};
-        ::setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    ~FileSizeLimit() {
-        ::setrlimit(RLIMIT_FSIZE, &m_old);
-        std::signal(SIGXFSZ, m_handler);
-    }
-    FileSizeLimit(const FileSizeLimit&) = delete;
-    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-
-private:
-    void (*m_handler)(int);
-    rlimit m_old{};
+// What a program that knows PLY, but not ours, would read.
+struct Ply {
+    std::vector<std::string> header; // without "end_header"
+    std::vector<std::array<float, 8>> vertices;
+    std::vector<std::array<int, 3>> faces; // from 0
+    bool broken = false;
 };
+
+Ply readPly(const std::string& text) {
+    const std::string ending = "end_header\n";
+    const std::size_t end = text.find(ending);
+    Ply ply;
+    ply.header = split(text.substr(0, end), '\n');
+    std::map<std::string, int> counts;
+    for (const std::string& line : ply.header)
+        if (const auto words = split(line, ' '); words.at(0) == "element")
+            counts[words.at(1)] = std::atoi(words.at(2).c_str());
+    test::ByteReader bytes(text, end + ending.size());
+    for (int i = 0; i < counts["vertex"]; ++i)
+        for (float& number : ply.vertices.emplace_back())
+            number = bytes.littleFloat();
+    for (int i = 0; i < counts["face"]; ++i) {
+        ply.broken = ply.broken || bytes.text(1) != "\3";
+        for (int& corner : ply.faces.emplace_back())
+            corner = int(bytes.little());
+    }
+    ply.broken = ply.broken || !bytes.atEnd();
+    return ply;
+}
+
+// (x, y, z) with z up, in centimetres.
+Vec3 zUpInCentimetres(const Vec3& v) {
+    return {100 * v.x(), 100 * -v.z(), 100 * v.y()};
+}
+const Placement kZUpInCentimetres{UpAxis::Z, 100};
 
 QByteArray contents(const QString& path) {
     QFile file(path);
@@ -143,7 +140,10 @@ private slots:
     void objOfACollapsedSheet();
     void csvReadsBackToTheSameBits();
     void csvColumns();
+    void axisAndScale();
     void numbersIgnoreTheLocale();
+    void plyReadsBack();
+    void plyWithAxisAndScale();
     void formatsByTheirEnding();
     void writesWhatTheStreamGets();
     void replacesAnExistingFile();
@@ -236,6 +236,79 @@ void TestExport::csvColumns() {
                          "last_position_z,velocity_x,velocity_y,velocity_z,pinned"));
 }
 
+void TestExport::axisAndScale() {
+    const Frame frame = sampleFrame();
+    std::ostringstream objText;
+    std::ostringstream csvText;
+    writeObj(objText, frame, kZUpInCentimetres);
+    writeCsv(csvText, frame, kZUpInCentimetres);
+    QVERIFY(objText.str().starts_with("# ClothLab, 100 units per metre, z up, time 0.1 s\n"));
+    QVERIFY(textOf(writeObj, frame).starts_with("# ClothLab, metres, y up, time 0.1 s\n"));
+    const Obj obj = readObj(objText.str());
+    const Obj plain = readObj(textOf(writeObj, frame));
+    const std::vector<std::string> lines = split(csvText.str(), '\n');
+    for (int i = 0; i < 20; ++i) {
+        const std::vector<std::string> cells = split(lines[std::size_t(i + 1)], ',');
+        const Vec3& normal = plain.normals[std::size_t(i)];
+        QCOMPARE(obj.vertices[std::size_t(i)], zUpInCentimetres(frame.state.position.at(i)));
+        QCOMPARE(obj.normals[std::size_t(i)], Vec3(normal.x(), -normal.z(), normal.y())); // of length 1
+        QCOMPARE(vectorAt(cells, 3), zUpInCentimetres(frame.state.position.at(i)));
+        QCOMPARE(vectorAt(cells, 6), zUpInCentimetres(frame.state.lastPosition.at(i)));
+        QCOMPARE(vectorAt(cells, 9),
+                 zUpInCentimetres(velocity(frame.state, i, frame.scene->simulation.timeStep())));
+    }
+    QVERIFY(obj.faces == plain.faces);
+}
+
+void TestExport::plyReadsBack() {
+    const Frame frame = sampleFrame();
+    const Obj obj = readObj(textOf(writeObj, frame));
+    const Ply ply = readPly(textOf(writePly, frame));
+    QVERIFY(!ply.broken);
+    const std::vector<std::string> header{"ply",
+                                          "format binary_little_endian 1.0",
+                                          "comment ClothLab, metres, y up, time 0.1 s",
+                                          "element vertex 20",
+                                          "property float x",
+                                          "property float y",
+                                          "property float z",
+                                          "property float nx",
+                                          "property float ny",
+                                          "property float nz",
+                                          "property float s",
+                                          "property float t",
+                                          "element face 24",
+                                          "property list uchar int vertex_indices"};
+    QVERIFY(ply.header == header);
+    for (std::size_t i = 0; i < 20; ++i)
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto a = Eigen::Index(axis);
+            QVERIFY(test::sameFloat(ply.vertices[i][axis], float(frame.state.position.at(int(i))[a])));
+            QVERIFY(test::sameFloat(ply.vertices[i][axis + 3], float(obj.normals[i][a])));
+            if (axis < 2)
+                QVERIFY(test::sameFloat(ply.vertices[i][axis + 6], float(obj.textureCoordinates[i][axis])));
+        }
+    QVERIFY(ply.faces == obj.faces);
+}
+
+void TestExport::plyWithAxisAndScale() {
+    const Frame frame = sampleFrame();
+    std::ostringstream text;
+    writePly(text, frame, kZUpInCentimetres);
+    const Ply ply = readPly(text.str());
+    const Ply plain = readPly(textOf(writePly, frame));
+    QVERIFY(!ply.broken && ply.vertices.size() == 20);
+    QCOMPARE(ply.header.at(2), std::string("comment ClothLab, 100 units per metre, z up, time 0.1 s"));
+    for (std::size_t i = 0; i < 20; ++i) {
+        const Vec3 place = zUpInCentimetres(frame.state.position.at(int(i)));
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            QVERIFY(test::sameFloat(ply.vertices[i][axis], float(place[Eigen::Index(axis)])));
+        QVERIFY(test::sameFloat(ply.vertices[i][3], plain.vertices[i][3]));
+        QVERIFY(test::sameFloat(ply.vertices[i][4], -plain.vertices[i][5]));
+        QVERIFY(test::sameFloat(ply.vertices[i][5], plain.vertices[i][4]));
+    }
+}
+
 void TestExport::numbersIgnoreTheLocale() {
     const std::string obj = textOf(writeObj, sampleFrame());
     struct German : std::numpunct<char> {
@@ -246,9 +319,13 @@ void TestExport::numbersIgnoreTheLocale() {
     const std::locale before = std::locale::global(std::locale(std::locale::classic(), new German));
     const std::string obj2 = textOf(writeObj, sampleFrame());
     Frame large = sampleFrame(60, 40); // indices above a thousand
+    const std::string csv = textOf(writeCsv, large);
+    const Ply ply = readPly(textOf(writePly, large));
     const std::string text = textOf(writeObj, large);
     std::locale::global(before);
     QCOMPARE(obj2, obj);
+    QVERIFY(csv == textOf(writeCsv, large));
+    QVERIFY(!ply.broken && ply.vertices.size() == 2400);
     QVERIFY(!readObj(text).broken);
     QCOMPARE(int(readObj(text).vertices.size()), 2400);
     for (const std::array<int, 3>& face : readObj(text).faces)
@@ -259,6 +336,14 @@ void TestExport::formatsByTheirEnding() {
     QVERIFY(exportFormat("a.obj") == ExportFormat::Obj);
     QVERIFY(exportFormat("/x.csv/Frame.OBJ") == ExportFormat::Obj);
     QVERIFY(exportFormat("b.c.CsV") == ExportFormat::Csv);
+    QVERIFY(exportFormat("a.ply") == ExportFormat::Ply);
+    QVERIFY(exportFormat("a.pc2") == ExportFormat::Pc2);
+    QVERIFY(exportFormat("a.MDD") == ExportFormat::Mdd);
+    QVERIFY(exportFormat("a.glb") == ExportFormat::Glb);
+    for (const ExportFormat format : {ExportFormat::Obj, ExportFormat::Csv, ExportFormat::Ply})
+        QVERIFY(!holdsAllFrames(format));
+    for (const ExportFormat format : {ExportFormat::Pc2, ExportFormat::Mdd, ExportFormat::Glb})
+        QVERIFY(holdsAllFrames(format));
     for (const char* path : {"", "obj", "a.ob", "a.objx", "a.obj/", "a"})
         QVERIFY2(!exportFormat(path), path);
 }
