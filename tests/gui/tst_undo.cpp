@@ -1,5 +1,7 @@
 // Every control of every panel and bar changes the document, and undo takes both back. The controls are
 // found, not listed: one that is new is tested, too.
+#include "app/docks/appearance_panel.h"
+#include "app/widgets/button_row.h"
 #include "tests/gui/test_window.h"
 
 #include "app/widgets/value_slider.h"

@@ -112,7 +112,7 @@ void TestShaders::aBrokenShaderKeepsThePictureAndSaysWhere() {
     m_window->key(Qt::Key_Delete);
     m_window->key(Qt::Key_S, Qt::ControlModifier);
     TRY_VERIFY(editor.edit().markedLines().isEmpty());
-    TRY_VERIFY(m_window->output().contains("The shader is drawn."));
+    TRY_VERIFY(m_window->output().contains("Shaders and textures are in order."));
     QVERIFY(!(*m_window)->messageBar().isVisible());
 }
 
