@@ -88,7 +88,8 @@ SheetMesh::Change SheetBuffers::update(Gl& gl, const SheetShape& sheet) {
     if (change == SheetMesh::Change::Size)
         uploadTopology(gl);
     if (change != SheetMesh::Change::Nothing)
-        m_vertices.upload(gl, GL_ARRAY_BUFFER, std::span(m_mesh.mesh().vertices), GL_STREAM_DRAW);
+        m_vertices.write<SurfaceVertex>(gl, GL_ARRAY_BUFFER, m_mesh.size(), GL_STREAM_DRAW,
+                                        [this](std::span<SurfaceVertex> to) { m_mesh.writeVertices(to); });
     uploadStrains(gl, sheet);
     uploadRest(gl, sheet);
     uploadPinned(gl, sheet);
@@ -97,7 +98,7 @@ SheetMesh::Change SheetBuffers::update(Gl& gl, const SheetShape& sheet) {
 
 // What no array gives is 0 in every shader.
 void SheetBuffers::uploadStrains(Gl& gl, const SheetShape& sheet) {
-    const bool fits = !isEmpty() && sheet.strains.size() == m_mesh.mesh().vertices.size();
+    const bool fits = !isEmpty() && sheet.strains.size() == m_mesh.size();
     if (fits) {
         m_strains.upload(gl, GL_ARRAY_BUFFER, std::span(sheet.strains), GL_STREAM_DRAW);
         attribute(gl, kStrain, 1, sizeof(float), 0);
@@ -109,7 +110,7 @@ void SheetBuffers::uploadStrains(Gl& gl, const SheetShape& sheet) {
 
 void SheetBuffers::uploadRest(Gl& gl, const SheetShape& sheet) {
     const auto& rest = sheet.restPositions;
-    const bool fits = rest && !isEmpty() && rest->size() == 3 * m_mesh.mesh().vertices.size();
+    const bool fits = rest && !isEmpty() && rest->size() == 3 * m_mesh.size();
     if (!fits) {
         gl.glDisableVertexAttribArray(kRest);
         m_restPositions.reset();
@@ -121,15 +122,15 @@ void SheetBuffers::uploadRest(Gl& gl, const SheetShape& sheet) {
 }
 
 void SheetBuffers::uploadTopology(Gl& gl) {
-    m_uvs.upload(gl, GL_ARRAY_BUFFER, std::span(m_mesh.mesh().uvs), GL_STATIC_DRAW);
-    m_triangles.upload(gl, GL_ELEMENT_ARRAY_BUFFER, std::span(m_mesh.mesh().indices), GL_STATIC_DRAW);
+    m_uvs.upload(gl, GL_ARRAY_BUFFER, std::span(m_mesh.uvs()), GL_STATIC_DRAW);
+    m_triangles.upload(gl, GL_ELEMENT_ARRAY_BUFFER, std::span(m_mesh.indices()), GL_STATIC_DRAW);
     m_springsUploaded.fill(false);
 }
 
 void SheetBuffers::uploadPinned(Gl& gl, const SheetShape& sheet) {
     m_pinnedIndices.clear();
     for (const std::uint32_t index : sheet.pinned)
-        if (index < m_mesh.mesh().vertices.size())
+        if (index < m_mesh.size())
             m_pinnedIndices.push_back(index);
     m_pinned.upload(gl, GL_ELEMENT_ARRAY_BUFFER, std::span<const std::uint32_t>(m_pinnedIndices),
                     GL_STREAM_DRAW);

@@ -23,6 +23,27 @@ public:
         gl.glBufferData(target, static_cast<GLsizeiptr>(data.size_bytes()), data.data(), usage);
         m_count = static_cast<GLsizei>(data.size());
     }
+    // As upload(), but `fill` writes the data where they are to be: a span of `count`, to be written only.
+    template <typename T, typename Fill>
+    void write(Gl& gl, GLenum target, std::size_t count, GLenum usage, Fill fill) {
+        create(gl);
+        gl.glBindBuffer(target, m_id);
+        const auto bytes = static_cast<GLsizeiptr>(count * sizeof(T));
+        gl.glBufferData(target, bytes, nullptr, usage);
+        m_count = static_cast<GLsizei>(count);
+        void* const mapped =
+            bytes > 0 ? gl.glMapBufferRange(target, 0, bytes, GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT)
+                      : nullptr;
+        if (mapped) {
+            fill(std::span(static_cast<T*>(mapped), count));
+            if (gl.glUnmapBuffer(target) == GL_TRUE)
+                return;
+        }
+        // Not to be had, or lost while it was written, as when the screen's mode changes.
+        std::vector<T> data(count);
+        fill(std::span(data));
+        gl.glBufferSubData(target, 0, bytes, data.data());
+    }
     void bind(Gl& gl, GLenum target);
     void destroy(Gl& gl);
     GLsizei count() const { return m_count; } // elements last uploaded

@@ -35,8 +35,7 @@ SheetMesh::Change SheetMesh::update(const SheetShape& sheet) {
         return Change::Size;
     if (!takePositions(sheet.positions) && !resized)
         return Change::Nothing;
-    computeDirections(m_positions, width, height, m_scratch, m_normals, m_tangents,
-                      [this](int y) { fillRow(y); });
+    computeDirections(m_positions, width, height, m_scratch, m_normals, m_tangents);
     return resized ? Change::Size : Change::Positions;
 }
 
@@ -46,12 +45,11 @@ void SheetMesh::resize(int width, int height) {
     const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     for (FloatRows* rows : {&m_positions, &m_normals, &m_tangents})
         rows->resize(count);
-    m_mesh.vertices.assign(count, {});
-    m_mesh.uvs.resize(count);
+    m_uvs.resize(count);
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
-            m_mesh.uvs[static_cast<std::size_t>(y * width + x)] = {fraction(x, width), fraction(y, height)};
-    makeIndices(width, height, m_mesh.indices);
+            m_uvs[static_cast<std::size_t>(y * width + x)] = {fraction(x, width), fraction(y, height)};
+    makeIndices(width, height, m_indices);
 }
 
 bool SheetMesh::takePositions(const std::vector<float>& positions) {
@@ -60,7 +58,7 @@ bool SheetMesh::takePositions(const std::vector<float>& positions) {
         changed |= static_cast<unsigned>(to != from);
         to = from;
     };
-    for (std::size_t i = 0; i < m_mesh.vertices.size(); ++i) {
+    for (std::size_t i = 0; i < size(); ++i) {
         take(m_positions.x[i], positions[3 * i]);
         take(m_positions.y[i], positions[3 * i + 1]);
         take(m_positions.z[i], positions[3 * i + 2]);
@@ -68,12 +66,11 @@ bool SheetMesh::takePositions(const std::vector<float>& positions) {
     return changed != 0;
 }
 
-void SheetMesh::fillRow(int y) {
-    const std::size_t begin = static_cast<std::size_t>(y) * static_cast<std::size_t>(m_width);
-    for (std::size_t i = begin; i < begin + static_cast<std::size_t>(m_width); ++i)
-        m_mesh.vertices[i] = {{m_positions.x[i], m_positions.y[i], m_positions.z[i]},
-                              {m_normals.x[i], m_normals.y[i], m_normals.z[i], 0},
-                              {m_tangents.x[i], m_tangents.y[i], m_tangents.z[i], 0}};
+void SheetMesh::writeVertices(std::span<SurfaceVertex> to) const {
+    for (std::size_t i = 0; i < size(); ++i)
+        to[i] = {{m_positions.x[i], m_positions.y[i], m_positions.z[i]},
+                 {m_normals.x[i], m_normals.y[i], m_normals.z[i], 0},
+                 {m_tangents.x[i], m_tangents.y[i], m_tangents.z[i], 0}};
 }
 
 } // namespace clothlab::render

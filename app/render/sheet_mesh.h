@@ -5,6 +5,8 @@
 #include "app/render/sheet_normals.h"
 #include "app/render/surface_mesh.h"
 
+#include <span>
+
 namespace clothlab::render {
 
 // Each cell of the grid is two triangles that share the diagonal from (x + 1, y) to (x, y + 1). The normal's
@@ -23,16 +25,20 @@ public:
     // perpendicular to the normal, of unit length; some perpendicular direction where dp/du vanishes.
     Change update(const SheetShape& sheet);
 
-    const SurfaceMesh& mesh() const { return m_mesh; }
+    // The mesh, as in SurfaceMesh. Vertices are written where they are wanted, size() of them: a large
+    // sheet's are too many to be kept twice.
+    void writeVertices(std::span<SurfaceVertex> to) const;
+    const std::vector<std::array<float, 2>>& uvs() const { return m_uvs; }
+    const std::vector<std::uint32_t>& indices() const { return m_indices; }
+    std::size_t size() const { return m_positions.x.size(); }
     const FloatRows& positions() const { return m_positions; } // of the vertices
     int width() const { return m_width; }
     int height() const { return m_height; }
-    bool isEmpty() const { return m_mesh.vertices.empty(); }
+    bool isEmpty() const { return size() == 0; }
 
 private:
     void resize(int width, int height);
     bool takePositions(const std::vector<float>& positions); // true if any is another one
-    void fillRow(int y);                                     // of the vertices
 
     int m_width = 0;
     int m_height = 0;
@@ -40,7 +46,8 @@ private:
     FloatRows m_normals;
     FloatRows m_tangents;
     NormalScratch m_scratch;
-    SurfaceMesh m_mesh;
+    std::vector<std::array<float, 2>> m_uvs;
+    std::vector<std::uint32_t> m_indices;
 };
 
 } // namespace clothlab::render

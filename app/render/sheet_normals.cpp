@@ -179,7 +179,7 @@ void tangentsOfRow(Row p, Row n, std::ptrdiff_t width, MutableRow t) {
 } // namespace
 
 void computeDirections(const FloatRows& positions, int width, int height, NormalScratch& scratch,
-                       FloatRows& normals, FloatRows& tangents, const std::function<void(int)>& rowIsReady) {
+                       FloatRows& normals, FloatRows& tangents) {
     const std::ptrdiff_t stride = width;
     const std::ptrdiff_t cells = stride - 1;
     resizeScratch(scratch, cells);
@@ -195,7 +195,6 @@ void computeDirections(const FloatRows& positions, int width, int height, Normal
         }
         normalize(normal, stride);
         tangentsOfRow(here, {normal.x, normal.y, normal.z}, stride, rowOf(tangents, y * stride));
-        rowIsReady(y);
     }
 }
 

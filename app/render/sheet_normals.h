@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 namespace clothlab::render {
@@ -34,9 +33,7 @@ struct NormalScratch {
 // side of dp/dv x dp/du with u along the rows and v from row to row; (0, 1, 0) where no triangle has an area.
 // Tangents are dp/du, made perpendicular to the normal, of unit length; some perpendicular direction where
 // dp/du vanishes.
-//
-// rowIsReady is called with the number of each row when all of it is there, from the first to the last.
 void computeDirections(const FloatRows& positions, int width, int height, NormalScratch& scratch,
-                       FloatRows& normals, FloatRows& tangents, const std::function<void(int)>& rowIsReady);
+                       FloatRows& normals, FloatRows& tangents);
 
 } // namespace clothlab::render

@@ -45,6 +45,12 @@ float length(const Vec3& a) {
     return std::sqrt(dot(a, a));
 }
 
+SurfaceMesh whole(const SheetMesh& mesh) {
+    SurfaceMesh all{std::vector<SurfaceVertex>(mesh.size()), mesh.uvs(), mesh.indices()};
+    mesh.writeVertices(all.vertices);
+    return all;
+}
+
 bool areUnitAndPerpendicular(const SurfaceMesh& mesh) {
     return std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [](const SurfaceVertex& vertex) {
         const Vec3 n = direction(vertex.normal);
@@ -95,11 +101,12 @@ private slots:
 void SheetMeshTest::flatSheetPointsUp() {
     SheetMesh mesh;
     QCOMPARE(mesh.update(makeSheet(4, 3, flat)), SheetMesh::Change::Size);
-    QCOMPARE(mesh.mesh().vertices.size(), std::size_t(12));
-    QCOMPARE(mesh.mesh().indices.size(), std::size_t(3 * 2 * 3 * 2));
-    for (const SurfaceVertex& vertex : mesh.mesh().vertices)
+    QCOMPARE(mesh.size(), std::size_t(12));
+    QCOMPARE(mesh.indices().size(), std::size_t(3 * 2 * 3 * 2));
+    const SurfaceMesh all = whole(mesh);
+    for (const SurfaceVertex& vertex : all.vertices)
         QVERIFY(length(direction(vertex.normal) - Vec3{0, 1, 0}) < 1e-6F);
-    QCOMPARE(worstWinding(mesh.mesh()), 1.0F);
+    QCOMPARE(worstWinding(whole(mesh)), 1.0F);
 }
 
 // A cell folded along its diagonal: each end of the diagonal has angles of a right triangle on both sides, so
@@ -109,7 +116,7 @@ void SheetMeshTest::normalsAreWeightedByAngle() {
     sheet.positions[1] = 1; // the first corner, lifted
     SheetMesh mesh;
     mesh.update(sheet);
-    const auto& v = mesh.mesh().vertices;
+    const std::vector<SurfaceVertex> v = whole(mesh).vertices;
     const Vec3 lifted = normalizedOr(cross(v[2].position - v[0].position, v[1].position - v[0].position), {});
     const Vec3 flatNormal{0, 1, 0};
     // Corners of the lifted triangle: sides sqrt 2 all three, so 60 degrees; of the flat one 45 at the
@@ -125,10 +132,11 @@ void SheetMeshTest::normalsOfASphericalSheet() {
     const auto onSphere = [](float u, float v) { return normalizedOr({u - 0.5F, 1, v - 0.5F}, {}); };
     SheetMesh mesh;
     mesh.update(makeSheet(65, 65, onSphere));
-    QVERIFY(areUnitAndPerpendicular(mesh.mesh()));
+    QVERIFY(areUnitAndPerpendicular(whole(mesh)));
+    const SurfaceMesh all = whole(mesh);
     for (int y = 1; y < 64; ++y) {
         for (int x = 1; x < 64; ++x) {
-            const SurfaceVertex& vertex = mesh.mesh().vertices[static_cast<std::size_t>(y * 65 + x)];
+            const SurfaceVertex& vertex = all.vertices[static_cast<std::size_t>(y * 65 + x)];
             QVERIFY(length(direction(vertex.normal) - vertex.position) < 2e-3F);
         }
     }
@@ -137,8 +145,9 @@ void SheetMeshTest::normalsOfASphericalSheet() {
 void SheetMeshTest::tangentsFollowTheRows() {
     SheetMesh mesh;
     mesh.update(makeSheet(5, 4, [](float u, float v) { return Vec3{0, 2 * u, 3 * v}; }));
-    QVERIFY(areUnitAndPerpendicular(mesh.mesh()));
-    for (const SurfaceVertex& vertex : mesh.mesh().vertices)
+    QVERIFY(areUnitAndPerpendicular(whole(mesh)));
+    const SurfaceMesh all = whole(mesh);
+    for (const SurfaceVertex& vertex : all.vertices)
         QVERIFY(length(direction(vertex.tangent) - Vec3{0, 1, 0}) < 1e-6F);
 }
 
@@ -147,7 +156,7 @@ void SheetMeshTest::textureCoordinatesSpanTheSheet() {
     mesh.update(makeSheet(5, 3, flat));
     for (int y = 0; y < 3; ++y)
         for (int x = 0; x < 5; ++x)
-            QCOMPARE(mesh.mesh().uvs[static_cast<std::size_t>(y * 5 + x)],
+            QCOMPARE(mesh.uvs()[static_cast<std::size_t>(y * 5 + x)],
                      (std::array<float, 2>{static_cast<float>(x) / 4, static_cast<float>(y) / 2}));
 }
 
@@ -169,9 +178,9 @@ void SheetMeshTest::degenerateSheetsHaveUnitDirections() {
     for (const SheetShape& sheet : sheets) {
         SheetMesh mesh;
         mesh.update(sheet);
-        QVERIFY(areUnitAndPerpendicular(mesh.mesh()));
-        QCOMPARE(mesh.mesh().vertices.size(), sheet.positions.size() / 3);
-        QVERIFY(sheet.width > 1 && sheet.height > 1 ? true : mesh.mesh().indices.empty());
+        QVERIFY(areUnitAndPerpendicular(whole(mesh)));
+        QCOMPARE(mesh.size(), sheet.positions.size() / 3);
+        QVERIFY(sheet.width > 1 && sheet.height > 1 ? true : mesh.indices().empty());
     }
 }
 
@@ -183,7 +192,7 @@ void SheetMeshTest::notANumberStaysWhereItIs() {
         sheet.positions[1] = bad;
         SheetMesh mesh;
         mesh.update(sheet);
-        QVERIFY(areUnitAndPerpendicular(mesh.mesh()));
+        QVERIFY(areUnitAndPerpendicular(whole(mesh)));
     }
 }
 
@@ -194,12 +203,12 @@ void SheetMeshTest::onlyWhatChangedIsReported() {
     QCOMPARE(mesh.update(sheet), SheetMesh::Change::Nothing);
     sheet.positions[7] += 0.5F;
     QCOMPARE(mesh.update(sheet), SheetMesh::Change::Positions);
-    QCOMPARE(mesh.mesh().vertices[2].position[1], 0.5F);
+    QCOMPARE(whole(mesh).vertices[2].position[1], 0.5F);
     // As many points, in another grid.
     sheet.width = 2;
     sheet.height = 8;
     QCOMPARE(mesh.update(sheet), SheetMesh::Change::Size);
-    QCOMPARE(mesh.mesh().indices.size(), std::size_t(7 * 6));
+    QCOMPARE(mesh.indices().size(), std::size_t(7 * 6));
     QCOMPARE(mesh.update(SheetShape()), SheetMesh::Change::Size);
     QCOMPARE(mesh.update(SheetShape()), SheetMesh::Change::Nothing);
 }
@@ -221,13 +230,13 @@ void SheetMeshTest::memoryIsReused() {
     SheetMesh mesh;
     SheetShape sheet = makeSheet(16, 16, flat);
     mesh.update(sheet);
-    const SurfaceVertex* vertices = mesh.mesh().vertices.data();
-    const std::uint32_t* indices = mesh.mesh().indices.data();
+    const float* positions = mesh.positions().x.data();
+    const std::uint32_t* indices = mesh.indices().data();
     for (int i = 0; i < 3; ++i) {
         sheet.positions[1] += 1;
         mesh.update(sheet);
-        QCOMPARE(mesh.mesh().vertices.data(), vertices);
-        QCOMPARE(mesh.mesh().indices.data(), indices);
+        QCOMPARE(mesh.positions().x.data(), positions);
+        QCOMPARE(mesh.indices().data(), indices);
     }
 }
 
