@@ -52,7 +52,7 @@ private:
     void addViewGroup();
     ColorRow* makeColorRow(const QString& label, const QString& toolTip, const QString& byDefault,
                            std::optional<Rgb> (*get)(const Appearance&),
-                           void (*set)(Appearance&, const std::optional<Rgb>&));
+                           void (*put)(Appearance&, const std::optional<Rgb>&));
     void fitStrainRange();
     void editAppearance(const QString& text, const std::function<void(Appearance&)>& change, int gesture = 0);
 

@@ -79,8 +79,8 @@ void ShaderControls::setUniforms(const QString& shader, const std::vector<Unifor
         item->widget()->deleteLater();
         delete item;
     }
-    for (std::size_t i = 0; i < m_uniforms.size(); ++i)
-        addControl(m_uniforms[i]);
+    for (const UniformSpec& spec : m_uniforms)
+        addControl(spec);
     setColumns(m_labelWidth, m_fieldWidth);
     showScene();
 }

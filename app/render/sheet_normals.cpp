@@ -167,7 +167,7 @@ void tangentsOfRow(Row p, Row n, std::ptrdiff_t width, MutableRow t) {
         t.x[x] = bX * scale;
         t.y[x] = bY * scale;
         t.z[x] = bZ * scale;
-        bad += (lengthSquared > kLeastLengthSquared) & (lengthSquared <= kLargest) ? 0 : 1;
+        bad += ((lengthSquared > kLeastLengthSquared) & (lengthSquared <= kLargest)) ? 0 : 1;
     }
     // The ends, and where a direction is missing, which is rare.
     for (const std::ptrdiff_t x : {std::ptrdiff_t{0}, width - 1})

@@ -53,8 +53,7 @@ void setAnisotropy(Gl& gl) {
 
 QString faceFile(const QString& folder, const char* face) {
     for (const char* extension : {"png", "jpg", "jpeg"}) {
-        const QString path =
-            QStringLiteral("%1/%2.%3").arg(folder, QLatin1String(face), QLatin1String(extension));
+        QString path = QStringLiteral("%1/%2.%3").arg(folder, QLatin1String(face), QLatin1String(extension));
         if (QFile::exists(path))
             return path;
     }

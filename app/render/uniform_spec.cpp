@@ -155,13 +155,13 @@ void annotate(UniformSpec& spec, const std::vector<QByteArray>& sources) {
         QStringLiteral(R"(^[ \t]*uniform[ \t]+\w+[ \t]+%1[ \t]*(?:=[^;\n]*)?;[ \t]*//(.*)$)")
             .arg(QRegularExpression::escape(spec.name)),
         QRegularExpression::MultilineOption);
-    for (auto source = sources.rbegin(); source != sources.rend(); ++source) {
-        const QRegularExpressionMatch match = declaration.match(QString::fromUtf8(*source));
-        if (!match.hasMatch())
-            continue;
+    QRegularExpressionMatch match;
+    std::find_if(sources.rbegin(), sources.rend(), [&](const QByteArray& source) {
+        match = declaration.match(QString::fromUtf8(source));
+        return match.hasMatch();
+    });
+    if (match.hasMatch())
         CommentReader(spec, match.captured(1)).read();
-        break;
-    }
     if (spec.label.isEmpty())
         spec.label = inWords(spec.name);
     const int components = componentsOf(spec.type);

@@ -14,7 +14,7 @@
 namespace clothlab::render {
 
 struct ShaderStage {
-    GLenum type;
+    GLenum type = 0;
     ShaderSource source;
 };
 
