@@ -156,11 +156,10 @@ void annotate(UniformSpec& spec, const std::vector<QByteArray>& sources) {
             .arg(QRegularExpression::escape(spec.name)),
         QRegularExpression::MultilineOption);
     QRegularExpressionMatch match;
-    std::find_if(sources.rbegin(), sources.rend(), [&](const QByteArray& source) {
-        match = declaration.match(QString::fromUtf8(source));
-        return match.hasMatch();
-    });
-    if (match.hasMatch())
+    if (std::any_of(sources.rbegin(), sources.rend(), [&](const QByteArray& source) {
+            match = declaration.match(QString::fromUtf8(source));
+            return match.hasMatch();
+        }))
         CommentReader(spec, match.captured(1)).read();
     if (spec.label.isEmpty())
         spec.label = inWords(spec.name);
