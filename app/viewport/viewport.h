@@ -2,10 +2,10 @@
 #pragma once
 
 #include "app/document/document.h"
+#include "app/picture/camera.h"
 #include "app/render/problem.h"
 #include "app/render/render_frame.h"
 #include "app/simulation/simulation.h"
-#include "app/picture/camera.h"
 #include "app/viewport/overlay.h"
 
 #include <QWidget>

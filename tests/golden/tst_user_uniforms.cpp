@@ -136,10 +136,11 @@ void UserUniformsTest::whatHasNoControlIsSaid() {
 }
 
 void UserUniformsTest::ourNamesWithAnotherTypeAreSaid() {
-    QVERIFY(write("uniform vec3 u_color; uniform float u_cam_pos; uniform sampler2D u_texture_cubemap;\n"
-                  "uniform vec3 u_light_pos; out vec4 out_color;\n"
-                  "void main() { out_color = vec4(u_color, 1) + vec4(u_cam_pos) + texture(u_texture_cubemap, vec2(0))\n"
-                  "  + vec4(0, u_light_pos == vec3(0.5, 2, 2) ? 1 : 0, 0, 0); }\n"));
+    QVERIFY(write(
+        "uniform vec3 u_color; uniform float u_cam_pos; uniform sampler2D u_texture_cubemap;\n"
+        "uniform vec3 u_light_pos; out vec4 out_color;\n"
+        "void main() { out_color = vec4(u_color, 1) + vec4(u_cam_pos) + texture(u_texture_cubemap, vec2(0))\n"
+        "  + vec4(0, u_light_pos == vec3(0.5, 2, 2) ? 1 : 0, 0, 0); }\n"));
     QCOMPARE(qGreen(drawn(m_frame)), 255); // it is drawn all the same, with what has the right type
     QCOMPARE(m_studio->renderer.problems().size(), 3);
     for (const char* name : {"u_color", "u_cam_pos", "u_texture_cubemap"})
@@ -148,7 +149,8 @@ void UserUniformsTest::ourNamesWithAnotherTypeAreSaid() {
 }
 
 void UserUniformsTest::aBrokenShaderLeavesTheSettingsOfTheOneThatIsDrawn() {
-    QVERIFY(write("uniform float u_x; // 0.2\nout vec4 out_color;\nvoid main() { out_color = vec4(u_x); }\n"));
+    QVERIFY(
+        write("uniform float u_x; // 0.2\nout vec4 out_color;\nvoid main() { out_color = vec4(u_x); }\n"));
     QVERIFY(isNear(drawn(m_frame), qRgb(51, 51, 51), 1));
     const QString good = m_frame.surface.shader;
     m_frame.surface.shader = QStringLiteral("NotThere");
