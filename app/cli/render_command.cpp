@@ -3,6 +3,7 @@
 #include "app/cli/arguments.h"
 #include "app/document/data_files.h"
 #include "app/picture/camera.h"
+#include "app/picture/save_picture.h"
 #include "app/picture/scene_frame.h"
 #include "app/render/offscreen_picture.h"
 #include "app/render/shader_library.h"
@@ -13,7 +14,6 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QPainter>
-#include <QSaveFile>
 
 #include <cstdio>
 
@@ -136,14 +136,6 @@ QImage contactSheet(const std::vector<std::pair<QString, QImage>>& pictures, con
     return sheet;
 }
 
-int writePicture(const QImage& image, const QString& path) {
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || !image.save(&file, "PNG") || !file.commit())
-        return fail(OutputNotWritten,
-                    QStringLiteral("%1: the picture could not be written: %2").arg(path, file.errorString()));
-    return Done;
-}
-
 int drawAndWrite(Scene& scene, const Options& options, const VerletSolver& solver, const ClothState& state) {
     const QStringList shaders =
         options.shader == kAllShaders ? render::listShaders(options.source.shaderDirectory)
@@ -164,8 +156,9 @@ int drawAndWrite(Scene& scene, const Options& options, const VerletSolver& solve
             std::fprintf(stderr, "clothlab: %s\n", qPrintable(render::words(problem)));
         pictures.emplace_back(shader, *picture);
     }
-    return writePicture(pictures.size() == 1 ? pictures.front().second : contactSheet(pictures, background),
-                        options.output);
+    const auto error = savePicture(
+        pictures.size() == 1 ? pictures.front().second : contactSheet(pictures, background), options.output);
+    return error ? fail(OutputNotWritten, *error) : int(Done);
 }
 
 } // namespace

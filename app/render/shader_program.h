@@ -15,9 +15,8 @@
 
 namespace clothlab::render {
 
-// Where the vertex attributes are, in every program.
-// strain: signed, of the spring at the point
-// that is strained most. rest: where the point is when its springs have their rest lengths.
+// Where the vertex attributes are, in every program. Strain is signed, of the spring at the point that is
+// strained most; rest is where the point is when its springs have their rest lengths.
 enum Attribute : GLuint { kPosition, kNormal, kTangent, kUv, kStrain, kRest };
 
 enum class Uniform {

@@ -8,6 +8,7 @@
 #include "app/docks/springs_panel.h"
 #include "app/docks/timeline_panel.h"
 #include "app/document/data_files.h"
+#include "app/picture/save_picture.h"
 #include "app/render/shader_folder.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/icons.h"
@@ -20,7 +21,6 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QMimeData>
-#include <QSaveFile>
 #include <QStatusBar>
 #include <QVBoxLayout>
 
@@ -181,10 +181,7 @@ void MainWindow::updateAppearanceControls() {
 }
 
 std::optional<QString> MainWindow::savePicture(const QString& path) {
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || !grab().save(&file, "PNG") || !file.commit())
-        return tr("%1: the picture could not be written: %2").arg(path, file.errorString());
-    return std::nullopt;
+    return clothlab::savePicture(grab().toImage(), path);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

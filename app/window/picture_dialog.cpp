@@ -1,5 +1,6 @@
 #include "app/window/picture_dialog.h"
 
+#include "app/picture/save_picture.h"
 #include "app/render/offscreen_picture.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/number_field.h"
@@ -9,7 +10,6 @@
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QPushButton>
-#include <QSaveFile>
 
 namespace clothlab {
 
@@ -44,10 +44,7 @@ std::optional<QString> PictureDialog::save(const QString& path) const {
         render::renderPicture(m_viewport.frameFor(size), size, {m_shaders, m_textures}, problems, reason);
     if (!image)
         return tr("The picture was not made: %1").arg(reason);
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || !image->save(&file, "PNG") || !file.commit())
-        return tr("%1: the picture could not be written: %2").arg(path, file.errorString());
-    return std::nullopt;
+    return savePicture(*image, path);
 }
 
 void PictureDialog::chooseAndSave() {
