@@ -72,6 +72,10 @@ bool ShaderEditor::open(const QString& path, int line) {
 
 bool ShaderEditor::read() {
     QFile file(m_path);
+    if (const QFileInfo info(m_path); info.exists() && !info.isFile()) {
+        emit problem(tr("%1 is no ordinary file").arg(m_path));
+        return false;
+    }
     if (!file.open(QIODevice::ReadOnly)) {
         emit problem(tr("%1 cannot be read: %2").arg(m_path, file.errorString()));
         return false;

@@ -37,8 +37,11 @@ std::optional<Image> readImage(const QString& path, QString& reason) {
         return std::nullopt;
     };
     QFile file(path);
-    if (QFileInfo(path).isDir())
+    const QFileInfo info(path);
+    if (info.isDir())
         return fail(tr("is a folder; choose a PNG or JPEG file"));
+    if (info.exists() && !info.isFile()) // a pipe or a device, which may never end
+        return fail(tr("is no ordinary file; choose a PNG or JPEG file"));
     if (!file.open(QIODevice::ReadOnly))
         return fail(tr("cannot be read: %1").arg(file.errorString()));
     if (file.size() > kMostBytes)

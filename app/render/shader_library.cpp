@@ -59,7 +59,7 @@ QStringList listShaders(const QString& directory) {
 
 bool takesStrain(const QString& directory, const QString& name) {
     QFile file(QDir(directory).filePath(name + QStringLiteral(".vert")));
-    return file.open(QIODevice::ReadOnly) && file.readAll().contains("in_strain");
+    return QFileInfo(file).isFile() && file.open(QIODevice::ReadOnly) && file.readAll().contains("in_strain");
 }
 
 void ShaderLibrary::setDirectory(const QString& directory) {

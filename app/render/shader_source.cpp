@@ -22,6 +22,8 @@ public:
 
     bool add(const QString& path) {
         QFile file(path);
+        if (const QFileInfo info(path); info.exists() && !info.isFile()) // a folder, pipe or device
+            return fail(path, 0, tr("is no ordinary file"));
         if (!file.open(QIODevice::ReadOnly))
             return fail(path, 0, tr("cannot be read: %1").arg(file.errorString()));
         if (file.size() > kMostBytes)

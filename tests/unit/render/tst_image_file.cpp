@@ -7,6 +7,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <sys/stat.h>
+
 using namespace clothlab::render;
 
 namespace {
@@ -157,6 +159,12 @@ void ImageFileTest::noPictureFileAtAll() {
     QVERIFY2(reason.contains(QStringLiteral("cannot be read")), qPrintable(reason));
     QVERIFY(!readImage(m_directory.path(), reason));
     QVERIFY2(reason.contains(QStringLiteral("folder")), qPrintable(reason));
+    // These would never end.
+    QVERIFY(!readImage(QStringLiteral("/dev/zero"), reason));
+    QVERIFY2(reason.contains(QStringLiteral("no ordinary file")), qPrintable(reason));
+    QCOMPARE(::mkfifo(qPrintable(path("pipe.png")), 0600), 0);
+    QVERIFY(!readImage(path("pipe.png"), reason));
+    QVERIFY2(reason.contains(QStringLiteral("no ordinary file")), qPrintable(reason));
 }
 
 void ImageFileTest::largestFileAndSide() {

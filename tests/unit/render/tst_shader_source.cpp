@@ -7,6 +7,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <sys/stat.h>
+
 using namespace clothlab::render;
 
 class ShaderSourceTest : public QObject {
@@ -215,6 +217,12 @@ void ShaderSourceTest::whatCannotBeRead() {
     QVERIFY(!read(QStringLiteral("c.frag")));
     QCOMPARE(m_problems.size(), 1);
     QCOMPARE(m_problems[0].path, path(QStringLiteral("folder.glsl")));
+
+    // It would never end.
+    QCOMPARE(::mkfifo(qPrintable(path(QStringLiteral("pipe.glsl"))), 0600), 0);
+    write(QStringLiteral("d.frag"), "#include \"pipe.glsl\"\n");
+    QVERIFY(!read(QStringLiteral("d.frag")));
+    QCOMPARE(m_problems[0].path, path(QStringLiteral("pipe.glsl")));
 }
 
 void ShaderSourceTest::tooMany() {
