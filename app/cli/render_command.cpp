@@ -2,6 +2,7 @@
 
 #include "app/cli/arguments.h"
 #include "app/document/data_files.h"
+#include "app/document/scene_files.h"
 #include "app/picture/camera.h"
 #include "app/picture/save_picture.h"
 #include "app/picture/scene_frame.h"
@@ -104,7 +105,7 @@ render::RenderFrame frameOf(const Scene& scene, const Options& options, const Ve
     frame.viewProjection = camera.viewProjection(options.size);
     frame.cameraPosition = camera.eye();
     frame.time = float(options.frame) / float(scene.simulation.framesPerSecond);
-    fillLook(scene, QFileInfo(options.scene).absolutePath(), frame);
+    fillLook(scene, frame);
     fillSheet(scene, solver.sheet(), state.position,
               render::takesStrain(options.source.shaderDirectory, frame.surface.shader), frame);
     return frame;
@@ -178,7 +179,8 @@ int renderCommand(const QStringList& arguments) {
     ClothState state = solver.start();
     if (const QString error = simulateTo(options.frame, solver, state); !error.isEmpty())
         return fail(SimulationBlewUp, error);
-    return drawAndWrite(*reading.scene, options, solver, state);
+    Scene scene = withAbsoluteFiles(*reading.scene, QFileInfo(options.scene).absolutePath());
+    return drawAndWrite(scene, options, solver, state);
 }
 
 } // namespace clothlab::cli

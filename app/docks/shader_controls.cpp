@@ -186,7 +186,7 @@ UniformSetting ShaderControls::settingOf(const UniformSpec& spec) const {
     const auto value = shader->second.find(spec.name.toStdString());
     if (value == shader->second.end())
         return spec.initial;
-    const UniformSetting setting = toSetting(value->second, m_document.folder());
+    const UniformSetting setting = toSetting(value->second);
     return setting.components == spec.initial.components ? setting : spec.initial;
 }
 

@@ -3,8 +3,6 @@
 #include "app/widgets/theme.h"
 #include "simcore/inspect/inspect.h"
 
-#include <QDir>
-
 #include <algorithm>
 #include <cmath>
 
@@ -19,13 +17,7 @@ QVector3D toQt(const std::array<double, 3>& v) {
     return {float(v[0]), float(v[1]), float(v[2])};
 }
 
-QString pathOf(const std::string& name, const QString& folder) {
-    const QString file = QString::fromStdString(name);
-    return file.isEmpty() || QDir::isAbsolutePath(file) || folder.isEmpty() ? file
-                                                                            : QDir(folder).filePath(file);
-}
-
-void fillSurface(const Scene& scene, const QString& folder, render::SurfaceLook& surface) {
+void fillSurface(const Scene& scene, render::SurfaceLook& surface) {
     const Appearance& appearance = scene.appearance;
     surface.shader = QString::fromStdString(appearance.shader);
     surface.color = QVector4D(toQt(appearance.color), 1);
@@ -37,13 +29,13 @@ void fillSurface(const Scene& scene, const QString& folder, render::SurfaceLook&
     surface.normalScaling = float(appearance.normalScaling);
     surface.heightScaling = float(appearance.heightScaling);
     for (std::size_t i = 0; i < appearance.textures.size(); ++i)
-        surface.textures[i] = pathOf(appearance.textures[i], folder);
-    surface.cubemap = pathOf(appearance.cubemap, folder);
+        surface.textures[i] = QString::fromStdString(appearance.textures[i]);
+    surface.cubemap = QString::fromStdString(appearance.cubemap);
     surface.uniforms.clear();
     for (const auto& [shader, values] : appearance.uniforms) {
         render::UniformSettings& settings = surface.uniforms[QString::fromStdString(shader)];
         for (const auto& [name, value] : values)
-            settings.emplace(QString::fromStdString(name), toSetting(value, folder));
+            settings.emplace(QString::fromStdString(name), toSetting(value));
     }
 }
 
@@ -85,10 +77,10 @@ void fillStrains(const Scene& scene, const Sheet& sheet, const PointArray& posit
 
 } // namespace
 
-render::UniformSetting toSetting(const UniformValue& value, const QString& folder) {
+render::UniformSetting toSetting(const UniformValue& value) {
     render::UniformSetting setting;
     if (const auto* file = std::get_if<std::string>(&value)) {
-        setting.file = pathOf(*file, folder);
+        setting.file = QString::fromStdString(*file);
     } else if (const auto* list = std::get_if<std::vector<double>>(&value)) {
         setting.components = int(std::min(list->size(), setting.numbers.size()));
         for (std::size_t i = 0; i < std::size_t(setting.components); ++i)
@@ -101,9 +93,9 @@ render::UniformSetting toSetting(const UniformValue& value, const QString& folde
     return setting;
 }
 
-void fillLook(const Scene& scene, const QString& folder, render::RenderFrame& frame) {
+void fillLook(const Scene& scene, render::RenderFrame& frame) {
     const Appearance& appearance = scene.appearance;
-    fillSurface(scene, folder, frame.surface);
+    fillSurface(scene, frame.surface);
     // The view is dark in both themes, so that the cloth is the brightest thing on the screen.
     const ThemeColors& colors = themeColors(Theme::Dark);
     frame.springs.drawn = appearance.springsDrawn;

@@ -4,19 +4,17 @@
 #include "app/render/render_frame.h"
 #include "simcore/cloth/cloth_state.h"
 
-#include <QString>
-
 namespace clothlab {
 
-// Everything but camera, sheet and highlights. `folder` is where files with relative names are: that of the
-// scene. frame.strainRange stays as it is where the scene leaves it to the sheet.
-void fillLook(const Scene& scene, const QString& folder, render::RenderFrame& frame);
+// Everything but camera, sheet and highlights. Files of the scene are named absolutely
+// (app/document/scene_files.h). frame.strainRange stays as it is where the scene leaves it to the sheet.
+void fillLook(const Scene& scene, render::RenderFrame& frame);
 
 // Positions and pinned points. Strains, and the range of their colours, only where they are seen: on a
 // surface whose shader takes them, or on springs that are drawn in the colours of strain.
 void fillSheet(const Scene& scene, const Sheet& sheet, const PointArray& position, bool shaderTakesStrain,
                render::RenderFrame& frame);
 
-render::UniformSetting toSetting(const UniformValue& value, const QString& folder);
+render::UniformSetting toSetting(const UniformValue& value);
 
 } // namespace clothlab

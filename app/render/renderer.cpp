@@ -160,8 +160,12 @@ void Renderer::setTextureDirectory(const QString& directory) {
     m_passes->textures.setDirectory(directory);
 }
 
-void Renderer::reloadFiles() {
+void Renderer::reloadShaders() {
     m_passes->shaders.reload();
+}
+
+void Renderer::reloadFiles() {
+    reloadShaders();
     m_passes->textures.reload();
 }
 

@@ -36,7 +36,8 @@ public:
     // whole path. No context needed.
     void setTextureDirectory(const QString& directory);
 
-    // Reads shaders and textures again at the next render(): they were edited. No context needed.
+    // Reads shaders, or textures too, again at the next render(): they were edited. No context needed.
+    void reloadShaders();
     void reloadFiles();
 
     // Draws the whole picture, background included, into the framebuffer that is bound, which must have a

@@ -26,6 +26,11 @@ void GlCanvas::setDirectories(const QString& shaders, const QString& textures) {
     update();
 }
 
+void GlCanvas::reloadShaders() {
+    m_renderer.reloadShaders();
+    update();
+}
+
 void GlCanvas::reloadFiles() {
     m_renderer.reloadFiles();
     update();

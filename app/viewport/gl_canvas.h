@@ -18,7 +18,8 @@ public:
     ~GlCanvas() override;
 
     void setDirectories(const QString& shaders, const QString& textures);
-    void reloadFiles();
+    void reloadShaders();
+    void reloadFiles(); // shaders and textures
 
     // Why this platform can show no OpenGL picture, in words; empty if it can. Makes no widget.
     static QString whyUnavailable();

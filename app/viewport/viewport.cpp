@@ -53,6 +53,12 @@ void Viewport::setDirectories(const QString& shaders, const QString& textures) {
         m_canvas->setDirectories(shaders, textures);
 }
 
+void Viewport::reloadShaders() {
+    if (m_canvas)
+        m_canvas->reloadShaders();
+    refreshScene(); // a shader may take other things now
+}
+
 void Viewport::reloadFiles() {
     if (m_canvas)
         m_canvas->reloadFiles();

@@ -21,7 +21,8 @@ public:
     Viewport(Document& document, Simulation& simulation, QWidget* parent = nullptr);
 
     void setDirectories(const QString& shaders, const QString& textures);
-    void reloadFiles(); // shaders and textures: they were edited
+    void reloadShaders(); // they were edited
+    void reloadFiles();   // shaders and textures
     bool hasPicture() const { return m_canvas != nullptr; }
     const Overlay& overlay() const { return *m_overlay; }
 

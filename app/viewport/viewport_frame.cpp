@@ -36,7 +36,7 @@ void Viewport::buildFrame() {
     m_frame.devicePixelRatio = float(devicePixelRatio());
     m_frame.time = float(m_simulation.currentFrame()) / float(scene.simulation.framesPerSecond);
     if (!m_lookIsCurrent) {
-        fillLook(scene, m_document.folder(), m_frame);
+        fillLook(scene, m_frame);
         m_shaderTakesStrain = render::takesStrain(m_shaderDirectory, m_frame.surface.shader);
     }
     if (!m_positionsAreCurrent)

@@ -64,7 +64,7 @@ void MainWindow::connectShaders() {
         m_appearancePanel->setShaders(m_shaderFolder->names());
         updateAppearanceControls();
     });
-    connect(m_shaderFolder, &render::ShaderFolder::filesChanged, m_viewport, &Viewport::reloadFiles);
+    connect(m_shaderFolder, &render::ShaderFolder::filesChanged, m_viewport, &Viewport::reloadShaders);
     connect(m_shaderFolder, &render::ShaderFolder::filesChanged, m_shaderEditor,
             &ShaderEditor::fileMayHaveChanged);
     connect(m_viewport, &Viewport::shaderShown, m_appearancePanel, &AppearancePanel::setUniforms);

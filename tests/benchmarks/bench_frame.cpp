@@ -44,7 +44,7 @@ void buildAndUpload(benchmark::State& state) {
         return state.SkipWithError(qPrintable(error));
     pass.initialize(*gl);
     render::RenderFrame frame;
-    fillLook(scene, {}, frame);
+    fillLook(scene, frame);
     frame.light.shadows = false; // the shadow map is drawing
     std::size_t turn = 0;
     for (auto _ : state) {
