@@ -13,4 +13,23 @@ FrameResult runFrame(VerletSolver& solver, ClothState& state, const std::atomic<
     return result;
 }
 
+RepeatResult repeatFrames(VerletSolver& solver, ClothState& state,
+                          std::span<const std::shared_ptr<const Scene>> scenes, const std::atomic<bool>& stop,
+                          const FrameVisitor& visit) {
+    RepeatResult result;
+    const Scene* current = nullptr;
+    for (const auto& scene : scenes) {
+        if (scene.get() != current)
+            solver.setScene(*scene);
+        current = scene.get();
+        result.last = runFrame(solver, state, stop);
+        if (!result.last.finished)
+            break;
+        ++result.frames;
+        if (visit && !visit(result.frames - 1, state, result.last))
+            break;
+    }
+    return result;
+}
+
 } // namespace clothlab
