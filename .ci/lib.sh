@@ -8,7 +8,7 @@ JOBS=$(nproc 2>/dev/null || echo 2)
 # shellcheck disable=SC2034
 {
     BUILD_PACKAGES=(cmake ninja-build g++ qt6-base-dev libqt6opengl6-dev qt6-svg-dev qt6-qpa-plugins libgl-dev
-        libgl1-mesa-dri libeigen3-dev nlohmann-json3-dev libstb-dev fonts-dejavu-core)
+        libgl1-mesa-dri libeigen3-dev nlohmann-json3-dev libzstd-dev libxxhash-dev libstb-dev fonts-dejavu-core)
     TEST_PACKAGES=(xvfb xauth)
     BLENDER_PACKAGES=(blender python3-numpy) # huge; only where the test with Blender is required
     BENCH_PACKAGES=(libbenchmark-dev)
@@ -28,7 +28,8 @@ say() {
 say_requirements() {
     say "ClothLab needs:
   to build: cmake >= 3.21, ninja, g++ >= 12 or clang >= 14, OpenGL and its headers,
-            Qt >= 6.4 (Widgets, OpenGL, OpenGLWidgets, Svg, DBus, Test), Eigen >= 3.4, nlohmann-json >= 3.11, stb
+            Qt >= 6.4 (Widgets, OpenGL, OpenGLWidgets, Svg, DBus, Test), Eigen >= 3.4, nlohmann-json >= 3.11, stb,
+            zstd >= 1.4, xxHash >= 0.8
   to test:  Xvfb, xvfb-run, xauth, Mesa's software OpenGL, a font such as DejaVu Sans
             Blender >= 3.4 with numpy (only with CLOTHLAB_REQUIRE_BLENDER=1)
   to time:  Google Benchmark (only ./run bench)"

@@ -1,5 +1,6 @@
-// The only file that knows the operating system's calls for files (POSIX).
 #include "simcore/base/file.h"
+
+#include "simcore/base/posix_file.h"
 
 #include <algorithm>
 #include <array>
@@ -16,77 +17,6 @@
 
 namespace clothlab {
 namespace {
-
-class FileDescriptor {
-public:
-    explicit FileDescriptor(int fd) : m_fd(fd) {}
-    ~FileDescriptor() { close(); }
-    FileDescriptor(const FileDescriptor&) = delete;
-    FileDescriptor& operator=(const FileDescriptor&) = delete;
-
-    int get() const { return m_fd; }
-    bool close() {
-        const int fd = std::exchange(m_fd, -1);
-        return fd < 0 || ::close(fd) == 0;
-    }
-
-private:
-    int m_fd;
-};
-
-template <typename Call>
-auto withoutInterruption(Call call) {
-    auto result = call();
-    while (result < 0 && errno == EINTR)
-        result = call();
-    return result;
-}
-
-struct Words {
-    std::string message;
-    std::string remedy;
-};
-
-Words describe(int error) {
-    switch (error) {
-    case ENOENT:
-        return {"there is no such file or folder", "check its name and the folder it should be in"};
-    case ENOTDIR:
-        return {"a part of its path is a file, not a folder", "check the path"};
-    case EACCES:
-    case EPERM:
-        return {"its permissions do not allow it", "change the permissions or choose another place"};
-    case EROFS:
-        return {"it is on a disk that can only be read", "choose another place"};
-    case ELOOP:
-        return {"its symbolic links go in a circle", "correct the links"};
-    case ENAMETOOLONG:
-        return {"its name is too long", "choose a shorter name"};
-    case ENOSPC:
-    case EDQUOT:
-        return {"the disk is full", "free some space or choose another disk"};
-    case EFBIG:
-        return {"it grows larger than the disk allows", "choose another disk"};
-    case EMFILE:
-    case ENFILE:
-        return {"too many files are open", "close some and try again"};
-    case EIO:
-        return {"the disk reports a fault", "check the disk and try again"};
-    default:
-        return {"the system refuses it (error " + std::to_string(error) + ")",
-                "try again or choose another place"};
-    }
-}
-
-std::string sentence(const Words& words) {
-    return words.message + "; " + words.remedy;
-}
-
-Words describeKind(mode_t mode) {
-    if (S_ISDIR(mode))
-        return {"is a folder, not a file", "name a file in it"};
-    return {"is a pipe, socket or device, not a file", "name an ordinary file"};
-}
 
 // The system would take such a name for its first part.
 bool usableName(const std::string& path) {

@@ -1,7 +1,6 @@
 #include "simcore/cloth/cloth_state.h"
 
-#include <bit>
-#include <cmath>
+#include "simcore/base/checksum.h"
 
 namespace clothlab {
 namespace {
@@ -55,19 +54,11 @@ std::vector<std::uint8_t> pinnedMask(const Cloth& cloth) {
 }
 
 std::uint64_t stateHash(const ClothState& state) {
-    std::uint64_t hash = 0xCBF29CE484222325U;
-    const auto add = [&hash](double value) {
-        const auto bits = std::bit_cast<std::uint64_t>(value);
-        for (unsigned shift = 0; shift < 64; shift += 8)
-            hash = (hash ^ ((bits >> shift) & 0xFFU)) * 0x100000001B3U;
-    };
+    Checksum hash;
     for (const PointArray* points : {&state.position, &state.lastPosition})
-        for (std::size_t i = 0; i < points->size(); ++i) {
-            add(points->x[i]);
-            add(points->y[i]);
-            add(points->z[i]);
-        }
-    return hash;
+        for (const std::vector<double>* coordinates : {&points->x, &points->y, &points->z})
+            hash.add(*coordinates);
+    return hash.value();
 }
 
 } // namespace clothlab

@@ -52,8 +52,8 @@ double stiffness(const Cloth& cloth, SpringType type); // N/m, also of a type th
 // One entry a point: 1 if it is pinned.
 std::vector<std::uint8_t> pinnedMask(const Cloth& cloth);
 
-// FNV-1a (Fowler, Noll and Vo) over the bits of positions, then last positions, x y z of each point in
-// turn. Equal for equal states on every platform.
+// XXH3 (simcore/base/checksum.h) over the bits of the x of all positions, then y, then z, and the same of the
+// last positions. Equal for equal states on every platform.
 std::uint64_t stateHash(const ClothState& state);
 
 } // namespace clothlab
