@@ -27,6 +27,7 @@ struct FrameGroup {
     Grid grid;
     double error = kDefaultError;   // m, see FramePacker
     std::vector<FrameEntry> frames; // 1 … kFramesPerGroup
+    std::vector<FrameEntry> beyond; // packed with them, but frames of the take no more: see trimGroup()
     std::shared_ptr<Payload> payload;
 
     int end() const { return first + int(frames.size()); }
@@ -43,12 +44,15 @@ struct FrameToPack {
 // 1 … kFramesPerGroup frames that follow each other.
 FrameGroup packGroup(FramePacker& packer, TakeId take, int first, std::span<const FrameToPack> frames);
 
+// Keeps the first count frames, 1 or more; the others may be needed to unpack them.
+void trimGroup(FrameGroup& group, int count);
+
 // Positions of a frame of the group, by its number in the take. Nothing if it is not in the group, or cannot
 // be read, or is damaged. May be called by several threads at the same time.
 std::optional<PointArray> positionsOf(const FrameGroup& group, int frame);
 
-// Reads one frame after another, each at the cost of one where it follows the one before. To be used by one
-// thread at a time.
+// Keeps what it has unpacked of the group at hand: frames that follow each other cost one each. To be used by
+// one thread at a time.
 class GroupReader {
 public:
     std::optional<PointArray> positionsOf(const FrameGroup& group, int frame);
@@ -56,7 +60,6 @@ public:
 private:
     std::shared_ptr<const Payload> m_payload; // of the group at hand
     std::optional<FrameUnpacker> m_unpacker;
-    int m_next = 0; // in the group
 };
 
 // A whole state, without loss.
