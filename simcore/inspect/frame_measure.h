@@ -1,7 +1,7 @@
 // What a recording keeps of each frame beside its positions.
 #pragma once
 
-#include "simcore/collision/cell_grid.h"
+#include "simcore/inspect/touching_points.h"
 #include "simcore/recording/frame_facts.h"
 #include "simcore/recording/recording.h"
 
@@ -21,18 +21,18 @@ public:
     explicit FrameMeasure(const Sheet& sheet);
 
     // Points of the frame's state as the sheet's. A point touches something if another that no spring joins
-    // with it, switched on or not, is nearer than 2 * thickness (self-collision being on), or if it is within
-    // kContactDistance of a collider of the frame's scene. Positions that are not finite touch nothing.
+    // with it, switched on or not, is nearer than 2 * thickness, or if it is within kContactDistance of a
+    // collider of the frame's scene. In a state that is not finite nothing touches.
     FrameFacts factsOf(const Frame& frame);
 
 private:
     double greatestStrain(const Cloth& cloth, const PointArray& position) const;
     void touchColliders(const Scene& scene, const PointArray& position);
-    void touchItself(const PointArray& position, double distance);
 
     Grid m_grid;
     std::array<std::vector<double>, kStencils.size()> m_perRestSquared; // 1 / rest length², row-major
-    std::vector<std::uint8_t> m_touches;                                // by point
+    TouchingPoints m_touchingPoints;
+    std::vector<std::uint8_t> m_touches; // by point
 };
 
 // The same for one frame.

@@ -12,7 +12,7 @@ namespace {
 using Word = std::uint32_t; // whose sums and products are modulo 2^32 without being undefined
 
 constexpr Word kRound = Word(1) << (PointWeights::kShift - 1);
-constexpr int kMostFittedRows = 48;
+constexpr int kMostFittedRows = 16;
 
 constexpr Word word(std::int32_t value) {
     return static_cast<Word>(value);
