@@ -1,7 +1,7 @@
 // What `clothlab simulate --report` says of a run.
 #pragma once
 
-#include "simcore/recording/recording.h"
+#include "simcore/recording/frame.h"
 #include "simcore/solver/frame_runner.h"
 
 #include <optional>

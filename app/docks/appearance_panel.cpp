@@ -198,10 +198,9 @@ void AppearancePanel::addViewGroup() {
 void AppearancePanel::fitStrainRange() {
     double greatest = 0;
     std::vector<float> strains;
-    const Recording& recording = m_simulation.recording();
-    for (int frame = 0; frame <= recording.lastFrame(); ++frame)
+    for (int frame = 0; frame <= m_simulation.recording().lastFrame(); ++frame)
         greatest = std::max(greatest, pointStrains(document().scene().cloth, m_simulation.sheet(),
-                                                   recording.frame(frame)->state.position, strains));
+                                                   m_simulation.look(frame)->state.position, strains));
     const Parameter& range = *findParameter("appearance.strain_range");
     // Rounded up to three digits, as one would write it.
     const double unit = greatest > 0 ? std::pow(10.0, std::floor(std::log10(greatest)) - 2) : 1;

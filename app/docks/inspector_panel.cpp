@@ -99,6 +99,11 @@ void InspectorPanel::refresh() {
         m_title->setText(tr("%1 · last of %2 selected").arg(m_title->text()).arg(count));
 }
 
+// A number of the state, or a mark that it is still being computed again.
+QString InspectorPanel::exactly(const QString& number) const {
+    return m_simulation.shownFrame()->exact ? number : QString(QChar(0x2026));
+}
+
 void InspectorPanel::showPoint(int point) {
     const Scene& scene = m_simulation.shownScene();
     const Grid grid = m_document.grid();
@@ -111,9 +116,9 @@ void InspectorPanel::showPoint(int point) {
     m_title->setText(tr("Point mass %1").arg(point));
     showLines({{tr("Index"), QString::number(point)},
                {tr("Grid place"), QStringLiteral("(%1, %2)").arg(place.x).arg(place.y)},
-               {tr("Position"), vectorText(frame.state.position.at(point)) + " m"},
-               {tr("Velocity"), vectorText(v) + " m/s"},
-               {tr("Speed"), withUnit(v.norm(), "m/s")},
+               {tr("Position"), exactly(vectorText(frame.state.position.at(point)) + " m")},
+               {tr("Velocity"), exactly(vectorText(v) + " m/s")},
+               {tr("Speed"), exactly(withUnit(v.norm(), "m/s"))},
                {tr("Mass"), withUnit(pointMass(scene.cloth), "kg")},
                {tr("Pinned"), pinned ? tr("yes") : tr("no")},
                {tr("Springs"), QString::number(springs.size())}});
@@ -132,12 +137,12 @@ void InspectorPanel::showSpring(int number) {
         {{tr("Type"), typeName(spring.type()) + (cloth.enabled(spring.type()) ? QString() : tr(" (off)"))},
          {tr("From"), pointName(grid, spring.a)},
          {tr("To"), pointName(grid, spring.b)},
-         {tr("Length"), withUnit(m.length, "m")},
+         {tr("Length"), exactly(withUnit(m.length, "m"))},
          {tr("Rest length"), withUnit(m.restLength, "m")},
-         {tr("Strain"), percent(m.strain)},
-         {tr("Force"), withUnit(m.force, "N") + (m.force > 0   ? tr(" pulling")
-                                                 : m.force < 0 ? tr(" pushing")
-                                                               : QString())},
+         {tr("Strain"), exactly(percent(m.strain))},
+         {tr("Force"), exactly(withUnit(m.force, "N") + (m.force > 0   ? tr(" pulling")
+                                                         : m.force < 0 ? tr(" pushing")
+                                                                       : QString()))},
          {tr("Stiffness"), withUnit(stiffness(cloth, spring.type()), "N/m")}});
     fillTable({}, 0);
 }
@@ -179,9 +184,9 @@ void InspectorPanel::fillTable(const std::vector<int>& springs, int point) {
             measureSpring(m_simulation.shownScene().cloth, m_simulation.sheet(), position, spring);
         const int other = spring.a == point ? spring.b : spring.a;
         const GridPoint place = grid.place(other);
-        const std::array<QString, 5> texts{typeName(spring.type()),
-                                           QStringLiteral("(%1, %2)").arg(place.x).arg(place.y),
-                                           significant(m.length), percent(m.strain), significant(m.force)};
+        const std::array<QString, 5> texts{
+            typeName(spring.type()), QStringLiteral("(%1, %2)").arg(place.x).arg(place.y),
+            exactly(significant(m.length)), exactly(percent(m.strain)), exactly(significant(m.force))};
         for (int column = 0; column < int(texts.size()); ++column) {
             if (!m_table->item(row, column))
                 m_table->setItem(row, column, new QTableWidgetItem);

@@ -33,6 +33,7 @@ private:
     using Lines = std::vector<std::pair<QString, QString>>;
 
     void refresh();
+    QString exactly(const QString& number) const;
     void showPoint(int point);
     void showSpring(int number);
     void showLines(const Lines& lines);

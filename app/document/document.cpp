@@ -36,23 +36,25 @@ QString Document::displayName() const {
 }
 
 void Document::newScene() {
-    replaceScene(hungUpSheet(), {});
+    setScene(hungUpSheet(), {});
 }
 
 Diagnostics Document::open(const QString& path) {
     SceneReading reading = loadScene(path.toStdString());
     if (reading.scene) {
         warnOfStep(*reading.scene, reading.diagnostics);
-        replaceScene(withAbsoluteFiles(std::move(*reading.scene), QFileInfo(path).absolutePath()),
-                     QFileInfo(path).absoluteFilePath());
+        setScene(withAbsoluteFiles(std::move(*reading.scene), QFileInfo(path).absolutePath()),
+                 QFileInfo(path).absoluteFilePath());
     }
     return reading.diagnostics;
 }
 
-void Document::replaceScene(Scene scene, const QString& path) {
+void Document::setScene(Scene scene, const QString& path) {
     setSelection({});
     m_scene = std::make_shared<const Scene>(std::move(scene));
     m_path = path;
+    m_recordingModified = false;
+    m_recovered = false;
     m_undoStack.clear();
     m_undoStack.setClean();
     emit sceneReplaced();
@@ -63,10 +65,34 @@ std::optional<QString> Document::save(const QString& path) {
     const Scene scene = withRelativeFiles(*m_scene, QFileInfo(path).absolutePath());
     if (const auto error = saveScene(scene, path.toStdString()))
         return QString::fromStdString(*error);
-    m_path = QFileInfo(path).absoluteFilePath();
-    m_undoStack.setClean();
-    emit fileChanged();
+    setSaved(path, m_revision);
     return std::nullopt;
+}
+
+void Document::setSaved(const QString& path, int revision) {
+    m_path = QFileInfo(path).absoluteFilePath();
+    m_recovered = false;
+    if (revision == m_revision) {
+        m_recordingModified = false;
+        m_undoStack.setClean();
+    }
+    emit fileChanged();
+}
+
+void Document::setRecovered() {
+    m_recovered = true;
+    emit fileChanged();
+}
+
+bool Document::isRecording() const {
+    return m_path.endsWith(QLatin1String(".clothtake"), Qt::CaseInsensitive);
+}
+
+void Document::setRecordingModified() {
+    ++m_revision;
+    if (std::exchange(m_recordingModified, true) || !isRecording())
+        return;
+    emit fileChanged();
 }
 
 void Document::edit(const QString& text, Scene after, int gesture) {
@@ -111,6 +137,7 @@ void Document::exchangeScene(std::shared_ptr<const Scene>& other) {
     if (gridOf(other->cloth) != gridOf(m_scene->cloth))
         setSelection({});
     std::swap(m_scene, other);
+    ++m_revision;
     emit sceneChanged(compareScenes(*other, *m_scene));
 }
 

@@ -8,6 +8,8 @@ namespace clothlab {
 
 namespace {
 
+constexpr std::size_t kMostBytes = std::size_t(64) << 20U; // of the frames of an outcome, if more than one
+
 // One core is left to the window.
 SolverSettings settings() {
     SolverSettings settings;
@@ -56,31 +58,66 @@ void FrameWorker::run() {
             m_request.reset();
             m_stop = false; // under the lock, so that no cancel() is lost
         }
-        FrameOutcome outcome = compute(request);
-        if (outcome.frame || outcome.blowUp)
+        FrameOutcome outcome;
+        if (compute(request, outcome))
             m_deliver(std::move(outcome));
     }
 }
 
-FrameOutcome FrameWorker::compute(const FrameRequest& request) {
-    if (!m_solver || compareScenes(m_solver->scene(), *request.scene) == SceneChange::Start)
-        m_solver.emplace(*request.scene, settings());
+// False if it was cancelled.
+bool FrameWorker::compute(const FrameRequest& request, FrameOutcome& outcome) {
+    outcome.ticket = request.ticket;
+    outcome.number = request.number;
+    outcome.computedOn = std::this_thread::get_id();
+    FramePointer last = request.before();
+    if (!last)
+        return true;
+    const std::size_t kept = std::max<std::size_t>(1, kMostBytes / bytesOf(*last));
+    int number = request.number;
+    for (const FrameToCompute& frame : request.frames) {
+        const FrameResult result = computeFrame(frame, last);
+        if (result.blowUp) {
+            outcome.blowUp = result.blowUp;
+            outcome.blowUpFrame = number;
+            outcome.blowUpStep = result.blowUpStep;
+            outcome.blowUpScene = frame.scene;
+            return true;
+        }
+        if (!result.finished)
+            return false;
+        if (frame.stateHash && stateHash(last->state) != *frame.stateHash)
+            outcome.differs = true;
+        outcome.frames.push_back(last);
+        if (outcome.frames.size() > kept) {
+            outcome.frames.erase(outcome.frames.begin());
+            ++outcome.number;
+        }
+        ++number;
+    }
+    return true;
+}
+
+// Puts the frame after `last` in its place, if it is finished.
+FrameResult FrameWorker::computeFrame(const FrameToCompute& frame, FramePointer& last) {
+    if (!m_solver || compareScenes(m_solver->scene(), *frame.scene) == SceneChange::Start)
+        m_solver.emplace(*frame.scene, settings());
     else
-        m_solver->setScene(*request.scene);
+        m_solver->setScene(*frame.scene);
 
     const auto begin = std::chrono::steady_clock::now();
-    ClothState state = request.from->state;
+    ClothState state = last->state;
     const FrameResult result = runFrame(*m_solver, state, m_stop);
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
-
-    FrameOutcome outcome{request.ticket,    nullptr,        result.blowUp,
-                         result.blowUpStep, request.number, std::this_thread::get_id(),
-                         request.scene};
-    const double time = request.from->time + 1.0 / request.scene->simulation.framesPerSecond;
-    if (result.finished)
-        outcome.frame = std::make_shared<const Frame>(
-            Frame{std::move(state), request.scene, time, result.strainLimitCorrections, took.count()});
-    return outcome;
+    if (!result.finished)
+        return result;
+    Frame next;
+    next.state = std::move(state);
+    next.scene = frame.scene;
+    next.time = last->time + 1.0 / frame.scene->simulation.framesPerSecond;
+    next.strainLimitCorrections = result.strainLimitCorrections;
+    next.milliseconds = frame.milliseconds.value_or(took.count());
+    last = std::make_shared<const Frame>(std::move(next));
+    return result;
 }
 
 } // namespace clothlab

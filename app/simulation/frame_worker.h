@@ -1,7 +1,7 @@
 // Computes frames on a thread of its own. Knows no Qt, so that thread checkers see all of its locks.
 #pragma once
 
-#include "simcore/recording/recording.h"
+#include "simcore/recording/frame.h"
 #include "simcore/solver/frame_runner.h"
 
 #include <atomic>
@@ -11,24 +11,37 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <vector>
 
 namespace clothlab {
 
+struct FrameToCompute {
+    std::shared_ptr<const Scene> scene;
+    // If it is done again: what it took the first time, and the hash of its state then.
+    std::optional<double> milliseconds;
+    std::optional<std::uint64_t> stateHash;
+};
+
 struct FrameRequest {
-    std::uint64_t ticket = 0;           // comes back with the outcome
-    std::shared_ptr<const Scene> scene; // with which to go on
-    FramePointer from;                  // the frame before
-    int number = 0;                     // of the frame to compute
+    std::uint64_t ticket = 0; // comes back with the outcome
+    // Gives the exact frame before, or null if it cannot be had. Called on the worker's thread.
+    std::function<FramePointer()> before;
+    std::vector<FrameToCompute> frames; // one after the other; at least one
+    int number = 0;                     // of the first of them
 };
 
 struct FrameOutcome {
     std::uint64_t ticket = 0;
-    FramePointer frame; // null if it blew up
+    // The last frames that were asked for, all but few if they are large; fewer if it blew up, none if the
+    // frame before was not to be had.
+    std::vector<FramePointer> frames;
+    int number = 0;       // of the first of these
+    bool differs = false; // the state of one that was done again is not what it was
     std::optional<BlowUp> blowUp;
+    int blowUpFrame = 0;
     int blowUpStep = 0;
-    int number = 0;
+    std::shared_ptr<const Scene> blowUpScene;
     std::thread::id computedOn;
-    std::shared_ptr<const Scene> scene; // of the request
 };
 
 class FrameWorker {
@@ -47,7 +60,8 @@ public:
 
 private:
     void run();
-    FrameOutcome compute(const FrameRequest& request);
+    bool compute(const FrameRequest& request, FrameOutcome& outcome);
+    FrameResult computeFrame(const FrameToCompute& frame, FramePointer& last);
 
     std::function<void(FrameOutcome)> m_deliver;
     std::mutex m_mutex; // guards the next two

@@ -10,109 +10,166 @@
 namespace clothlab {
 namespace {
 
-bool moveAlike(const Scene& a, const Scene& b) {
-    return &a == &b || compareScenes(a, b) <= SceneChange::Appearance;
+// Calls it on the thread of the object, later.
+template <typename Call>
+void later(QObject* object, Call call) {
+    QMetaObject::invokeMethod(object, std::move(call), Qt::QueuedConnection);
+}
+
+// Positions as they are kept, or those of the start if these cannot be read.
+FramePointer roughFrame(const Take& take, int number, std::optional<PointArray> positions) {
+    const RecordedFrame& recorded = take.frame(number);
+    Frame frame;
+    frame.state.position = positions ? std::move(*positions) : take.sheet().start;
+    frame.state.lastPosition = frame.state.position;
+    frame.scene = recorded.scene;
+    frame.time = recorded.time;
+    if (const FrameFacts* facts = factsOf(take, number)) {
+        frame.strainLimitCorrections = facts->strainLimitCorrections;
+        frame.milliseconds = facts->milliseconds;
+    }
+    frame.exact = false;
+    return std::make_shared<const Frame>(std::move(frame));
 }
 
 } // namespace
 
-Simulation::Simulation(Document& document, QObject* parent, std::size_t recordingBudget)
-    : QObject(parent), m_document(document), m_recording(recordingBudget),
+Simulation::Simulation(Document& document, QObject* parent, std::size_t memoryBudget)
+    : QObject(parent), m_document(document), m_recording(document.snapshot()), m_budget(memoryBudget),
+      m_recorder(
+          [this](Packed packed) {
+              later(this, [this, packed = std::move(packed)]() mutable { receive(std::move(packed)); });
+          },
+          memoryBudget / 4),
       m_worker([this](FrameOutcome outcome) {
-          QMetaObject::invokeMethod(
-              this, [this, outcome = std::move(outcome)]() mutable { receive(std::move(outcome)); },
-              Qt::QueuedConnection);
+          later(this, [this, outcome = std::move(outcome)]() mutable { receive(std::move(outcome)); });
       }) {
     m_clock.setSingleShot(true);
     m_clock.setTimerType(Qt::PreciseTimer);
     connect(&m_clock, &QTimer::timeout, this, &Simulation::advance);
     connect(&document, &Document::sceneChanged, this, &Simulation::onSceneChanged);
-    connect(&document, &Document::sceneReplaced, this, &Simulation::restart);
-    restart();
+    connect(&document, &Document::sceneReplaced, this, &Simulation::onSceneReplaced);
+    beginSession();
+    announceTake();
+    m_shown = look(0);
 }
 
-void Simulation::restart() {
-    dropPending();
-    setPlaying(false);
-    const Scene& scene = m_document.scene();
-    ClothState start = startState(scene);
-    m_sheet = {m_document.grid(), start.position};
-    m_recording.restart(
-        std::make_shared<const Frame>(Frame{std::move(start), m_document.snapshot(), 0, 0, 0}));
-    m_firstStale = 1;
-    m_current = 0; // before anyone is told: there must be a frame to show
-    m_staleEdits.clear();
-    m_scene = m_document.snapshot();
-    setBlowUp({});
-    emit recordingChanged();
-    show(0);
+// --- the recorder
+
+void Simulation::setJournals(std::function<QString()> newPath) {
+    m_newJournal = std::move(newPath);
+    beginSession();
+    announceTake();
+}
+
+void Simulation::beginSession(std::shared_ptr<const TakeFileContents> contents) {
+    const double error = contents ? contents->meta.error : kDefaultError;
+    m_recorder.begin(++m_session, m_newJournal ? m_newJournal().toStdString() : std::string(), error,
+                     std::move(contents));
+}
+
+void Simulation::announceTake() {
+    const Take& take = *m_recording.take();
+    tellTake(take);
+    if (!take.parent())
+        m_recorder.add(take.id(), take.sharedSheet(), 0, take.frame(0).exact);
+}
+
+void Simulation::tellTake(const Take& take) {
+    m_recorder.setTake(infoOf(m_recording, take));
+}
+
+void Simulation::load(const LoadedTakes& loaded, TakeFileContents contents) {
+    m_recording.load(loaded.takes, loaded.open);
+    m_recording.show(loaded.shownFrame);
+    m_recording.setScene(m_document.snapshot());
+    beginSession(std::make_shared<const TakeFileContents>(std::move(contents)));
+    showOtherTake();
+}
+
+void Simulation::whenPacked(std::function<void()> then) {
+    m_recorder.flush([this, then = std::move(then)] { later(this, then); });
+}
+
+void Simulation::gatherContents(std::function<void(TakeFileContents)> use) {
+    m_recorder.setScene(m_document.snapshot());
+    whenPacked([this, use = std::move(use), scene = m_document.snapshot()] {
+        TakeFileContents contents = contentsOf(m_recording);
+        contents.meta.version = CLOTHLAB_VERSION;
+        contents.meta.scene = m_recorder.idOfScene(*scene);
+        for (const SceneId id : scenesNamed(contents))
+            contents.scenes[id] = m_recorder.scene(id);
+        use(std::move(contents));
+    });
+}
+
+// --- the scene
+
+void Simulation::onSceneReplaced() {
+    m_recording.reset(m_document.snapshot());
+    beginSession();
+    announceTake();
+    showOtherTake();
 }
 
 void Simulation::onSceneChanged(SceneChange change) {
-    auto before = std::exchange(m_scene, m_document.snapshot());
-    if (change == SceneChange::Start) {
-        if (m_recording.frameCount() > 1)
-            emit notice(tr("The sheet has changed: the recording begins anew."));
-        restart();
-    } else if (change == SceneChange::Motion) {
-        setBlowUp({});
-        updateStaleness(std::move(before));
-    }
-}
-
-const Scene& Simulation::shownScene() const {
-    const int next = m_current + 1;
-    if (next < m_recording.frameCount() && next != m_firstStale)
-        return *m_recording.frame(next)->scene;
-    return m_current >= m_firstStale ? *shownFrame()->scene : m_document.scene();
-}
-
-void Simulation::updateStaleness(std::shared_ptr<const Scene> before) {
-    // Frames before the one shown stay what they are: how the run came to be here.
-    const int candidate = std::min(m_firstStale, m_current + 1);
-    const auto undone = std::ranges::find_if(
-        m_staleEdits, [&](const StaleEdit& edit) { return moveAlike(*edit.before, *m_scene); });
-    if (undone != m_staleEdits.end()) {
-        m_firstStale = undone->firstStale;
-        m_staleEdits.erase(undone, m_staleEdits.end());
-    } else if (areComputedAs(*m_scene, candidate)) {
-        m_firstStale = m_recording.frameCount();
-    } else {
-        if (candidate < m_firstStale)
-            m_staleEdits.push_back({std::move(before), m_firstStale});
-        m_firstStale = candidate;
-        if (!m_playing)
-            dropPending(); // it would follow a stale frame
-    }
-    emit recordingChanged();
-}
-
-bool Simulation::areComputedAs(const Scene& scene, int first) const {
-    for (int i = first; i < m_recording.frameCount(); ++i)
-        if (!moveAlike(*m_recording.frame(i)->scene, scene))
-            return false;
-    return true;
-}
-
-void Simulation::dropStaleFrames() {
-    const int stale = m_recording.frameCount() - m_firstStale;
-    if (stale <= 0)
+    if (m_opening) {
+        m_recording.setView(*m_opening);
+        showOtherTake();
         return;
-    m_recording.truncate(m_firstStale);
-    m_staleEdits.clear();
-    const bool moved = m_current > m_recording.lastFrame();
-    m_current = std::min(m_current, m_recording.lastFrame());
-    emit notice(tr("%n stale frame(s) replaced.", nullptr, stale));
-    emit recordingChanged();
-    if (moved)
-        emit frameShown();
+    }
+    const TakePointer before = m_recording.take();
+    const Recording::Effect effect = m_recording.setScene(m_document.snapshot());
+    m_recorder.setScene(m_document.snapshot());
+    if (change == SceneChange::Motion)
+        setBlowUp({});
+    if (effect == Recording::Effect::OtherTake) {
+        const TakePointer take = m_recording.take();
+        if (take->frameCount() == 1)
+            announceTake();
+        if (before->frameCount() > 1)
+            emit notice(
+                take->frameCount() == 1
+                    ? tr("The sheet has changed: %1 begins. %2 keeps its frames.")
+                          .arg(QString::fromStdString(take->name()), QString::fromStdString(before->name()))
+                    : tr("Back to %1.").arg(QString::fromStdString(take->name())));
+        showOtherTake();
+    } else if (effect == Recording::Effect::Staleness) {
+        if (!m_playing && m_pending && m_pending->regained < m_recording.lastFrame())
+            dropPending(); // it would follow a stale frame
+        emit recordingChanged();
+    }
 }
+
+void Simulation::showOtherTake() {
+    dropPending();
+    m_shown = look(currentFrame()); // before anyone is told: there must be a frame to show
+    setPlaying(false);
+    setBlowUp({});
+    emit takesChanged();
+    emit recordingChanged();
+    show(currentFrame());
+}
+
+void Simulation::restart() {
+    const TakePointer before = m_recording.take();
+    m_recording.restart();
+    announceTake();
+    if (before->frameCount() > 1)
+        emit notice(tr("%1 begins. %2 keeps its frames.")
+                        .arg(QString::fromStdString(m_recording.take()->name()),
+                             QString::fromStdString(before->name())));
+    showOtherTake();
+}
+
+// --- playing
 
 void Simulation::play() {
     if (m_playing)
         return;
     dropPending();
-    dropStaleFrames();
+    if (m_recording.isStale(currentFrame()))
+        show(m_recording.endOfRun());
     setPlaying(true);
     m_sincePlay.start();
     m_due = 0;
@@ -122,35 +179,33 @@ void Simulation::play() {
 void Simulation::pause() {
     dropPending();
     setPlaying(false);
+    refine();
 }
 
 void Simulation::showFrame(int frame) {
-    pause();
+    dropPending();
+    setPlaying(false);
     show(std::clamp(frame, 0, m_recording.lastFrame()));
 }
 
 void Simulation::simulateFrame() {
     if (m_playing)
         pause();
-    if (isSimulating())
-        return;
-    dropStaleFrames();
-    requestFrame();
+    if (!isSimulating())
+        requestFrame();
 }
 
 void Simulation::advance() {
     if (!m_playing)
         return;
-    if (m_current + 1 >= m_firstStale)
-        dropStaleFrames();
     if (m_ready)
         record(std::exchange(m_ready, nullptr));
-    if (m_current < m_recording.lastFrame()) {
-        show(m_current + 1);
+    if (currentFrame() < m_recording.endOfRun()) {
+        show(currentFrame() + 1);
         schedule();
     }
     // At the end the next frame is computed ahead, while this one is looked at.
-    if (m_playing && m_current == m_recording.lastFrame() && !isSimulating())
+    if (m_playing && currentFrame() >= m_recording.endOfRun() && !isSimulating())
         requestFrame();
 }
 
@@ -160,59 +215,178 @@ void Simulation::schedule() {
     m_clock.start(int(m_due - now));
 }
 
+// --- what the worker does
+
+std::size_t Simulation::bytesInMemory() const {
+    return m_recording.bytesKept() + m_recorder.bytesInMemory();
+}
+
+// Frames that wait to be packed are there for a moment only.
+bool Simulation::isFull() {
+    m_recording.trim(m_budget / 2);
+    return bytesInMemory() > m_budget;
+}
+
 void Simulation::requestFrame() {
-    if (m_recording.full()) {
+    if (isFull()) {
         pause();
-        emit notice(tr("The recording is full (%1). Press R for a new one.")
-                        .arg(QLocale::c().formattedDataSize(qint64(m_recording.budget()))));
+        emit notice(
+            tr("The recording is full: its %1 of memory are used, and it cannot be written to disk. Save "
+               "it, then open or begin another scene.")
+                .arg(QLocale::c().formattedDataSize(qint64(m_budget))));
         return;
     }
-    m_pendingTicket = ++m_lastTicket;
-    m_worker.request({m_pendingTicket, m_document.snapshot(), m_recording.frame(m_recording.lastFrame()),
-                      m_recording.frameCount()});
+    constexpr int patience = 20; // ms
+    if (m_recorder.bytesWaiting() > m_budget / 8 && m_playing) {
+        m_clock.start(patience); // the recorder comes after
+        return;
+    }
+    request(m_recording.endOfRun(), true);
+}
+
+void Simulation::refine() {
+    if (!m_playing && !m_pending && !m_shown->exact)
+        request(currentFrame(), false);
+}
+
+// Computes frames of the open take again, up to that one, and then one more.
+void Simulation::request(int regained, bool newFrame) {
+    const Take& take = std::as_const(*m_recording.take());
+    int base = regained;
+    while (!take.frame(base).exact && !take.frame(base).checkpoint)
+        --base; // the start is always there
+    FrameRequest request;
+    const RecordedFrame& from = take.frame(base);
+    request.before = [frame = from.exact, from]() -> FramePointer {
+        if (frame)
+            return frame;
+        std::optional<ClothState> state = stateOf(*from.checkpoint);
+        if (!state)
+            return nullptr;
+        return std::make_shared<const Frame>(Frame{std::move(*state), from.scene, from.time, 0, 0});
+    };
+    request.number = base + 1;
+    for (int i = base + 1; i <= regained; ++i) {
+        const FrameFacts* facts = factsOf(take, i);
+        request.frames.push_back({take.frame(i).scene,
+                                  facts ? std::optional(facts->milliseconds) : std::nullopt,
+                                  facts && i == regained ? std::optional(facts->stateHash) : std::nullopt});
+    }
+    if (newFrame)
+        request.frames.push_back({m_document.snapshot(), {}, {}});
+    if (m_pending)
+        m_worker.cancel();
+    request.ticket = ++m_lastTicket;
+    m_pending = {request.ticket, m_recording.take(), regained, newFrame};
+    m_worker.request(std::move(request));
 }
 
 void Simulation::dropPending() {
     m_clock.stop();
     m_ready = nullptr;
-    if (isSimulating())
+    if (m_pending)
         m_worker.cancel();
-    m_pendingTicket = 0;
+    m_pending.reset();
 }
 
 void Simulation::receive(FrameOutcome outcome) {
-    if (outcome.ticket != m_pendingTicket)
+    if (!m_pending || outcome.ticket != m_pending->ticket)
         return;
-    m_pendingTicket = 0;
+    const Pending done = *std::exchange(m_pending, std::nullopt);
     m_lastComputedOn = outcome.computedOn;
-    if (outcome.blowUp) {
+    FramePointer next;
+    for (int number = outcome.number; FramePointer & frame : outcome.frames) {
+        if (number <= done.regained)
+            m_recording.keep(done.take, number, std::move(frame));
+        else
+            next = std::move(frame);
+        ++number;
+    }
+    if (outcome.differs)
+        emit notice(
+            tr("Frame %1 cannot be repeated exactly: another program or another machine may have made it.")
+                .arg(done.regained));
+    if (outcome.blowUp)
         stopForBlowUp(outcome);
-    } else if (!m_playing) {
-        record(std::move(outcome.frame));
-        show(m_recording.lastFrame());
-    } else {
-        m_ready = std::move(outcome.frame);
+    else if (outcome.frames.empty())
+        repairWay(done);
+    else if (!done.newFrame)
+        show(currentFrame());
+    else if (m_playing) {
+        m_ready = std::move(next);
         if (!m_clock.isActive()) // it is overdue
             advance();
+    } else {
+        record(std::move(next));
+        show(m_recording.lastFrame());
     }
 }
 
+// A checkpoint could not be read: once more from the one before.
+void Simulation::repairWay(const Pending& done) {
+    for (int frame = done.regained; frame > 0; --frame)
+        if (RecordedFrame& recorded = done.take->frame(frame); recorded.checkpoint) {
+            recorded.checkpoint = nullptr;
+            break;
+        }
+    request(done.regained, done.newFrame);
+}
+
+void Simulation::receive(Packed packed) {
+    if (packed.session != m_session)
+        return;
+    if (!packed.problem.empty())
+        emit notice(QString::fromStdString(packed.problem) + '.');
+    if (packed.group)
+        if (const TakePointer take = m_recording.findAnyTake(packed.group->take))
+            for (int frame = packed.group->first; frame < packed.group->end(); ++frame)
+                take->frame(frame).group = packed.group;
+    if (packed.checkpoint)
+        if (const TakePointer take = m_recording.findAnyTake(packed.checkpoint->take))
+            take->frame(packed.checkpoint->frame).checkpoint = packed.checkpoint;
+    m_recording.trim(m_budget / 2);
+    emit recordingChanged();
+}
+
 void Simulation::record(FramePointer frame) {
-    m_recording.append(std::move(frame));
-    m_firstStale = m_recording.frameCount();
-    m_staleEdits.clear();
+    const TakePointer before = m_recording.take();
+    const int stale = m_recording.frameCount() - m_recording.firstStaleFrame();
+    const bool begins = m_recording.append(frame);
+    const TakePointer& take = m_recording.take();
+    if (begins) {
+        announceTake();
+        emit notice(
+            tr("%1 begins at frame %2; %3 keeps the %n frame(s) that follow it there.", nullptr, stale)
+                .arg(QString::fromStdString(take->name()))
+                .arg(take->branchFrame())
+                .arg(QString::fromStdString(before->name())));
+        emit takesChanged();
+    }
+    m_recorder.add(take->id(), take->sharedSheet(), take->lastFrame(), std::move(frame));
+    m_document.setRecordingModified();
     emit recordingChanged();
 }
 
 void Simulation::stopForBlowUp(const FrameOutcome& outcome) {
     pause();
     setBlowUp(QString::fromStdString(
-        describeBlowUp(*outcome.blowUp, outcome.blowUpStep, outcome.number, *outcome.scene)));
+        describeBlowUp(*outcome.blowUp, outcome.blowUpStep, outcome.blowUpFrame, *outcome.blowUpScene)));
+}
+
+// --- what is shown
+
+FramePointer Simulation::look(int number) {
+    const Take& take = *m_recording.take();
+    const RecordedFrame& recorded = take.frame(number);
+    return recorded.exact ? recorded.exact
+                          : roughFrame(take, number, m_reader.positionsOf(*recorded.group, number));
 }
 
 void Simulation::show(int frame) {
-    m_current = frame;
+    m_recording.show(frame);
+    m_shown = look(frame);
     emit frameShown();
+    refine();
 }
 
 void Simulation::setPlaying(bool playing) {

@@ -1,69 +1,117 @@
 // The run of the document's scene: its recording, the frame that is shown, and playing on from there.
-// Lives on the GUI thread; every step is taken by the worker's.
+// Lives on the GUI thread; every step is taken by the worker's, and frames are packed by the recorder's.
 #pragma once
 
 #include "app/document/document.h"
 #include "app/simulation/frame_worker.h"
+#include "app/simulation/recorder.h"
+#include "simcore/recording/recording_contents.h"
 
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
 
-#include <vector>
+#include <functional>
 
 namespace clothlab {
 
+inline constexpr std::size_t kRecordingBudget = std::size_t(1) << 30U; // bytes of memory
+
 // Playing shows recorded frames at their own pace and, after the last, goes on simulating. What is
-// recorded is what was shown: a frame that is under way when playing stops is dropped.
+// recorded is what was shown: a frame that is under way when playing stops is dropped. Which frames are
+// stale, and when a take begins, says Recording.
 //
-// Staleness: a motion edit while an earlier frame is shown makes the frames after it stale. They can
-// still be looked at; playing or stepping on replaces them. Undoing the edit makes them current again, and
-// so does any edit to the scene that all of them were computed with.
+// A frame is shown as it is kept. If that is not exactly, its state is computed again, once playing and
+// scrubbing stop, and then it is shown once more.
 class Simulation : public QObject {
     Q_OBJECT
 
 public:
     explicit Simulation(Document& document, QObject* parent = nullptr,
-                        std::size_t recordingBudget = kRecordingBudget);
+                        std::size_t memoryBudget = kRecordingBudget);
+
+    // Where each recording is written to while it is made; without it, recordings stay in memory. Begins one.
+    void setJournals(std::function<QString()> newPath);
+
+    // Puts a recording that was read from a file in the place of this one, after its scene was put into the
+    // document. loaded: made of the contents.
+    void load(const LoadedTakes& loaded, TakeFileContents contents);
+    // Calls it with what a file would hold, once all of that is packed.
+    void gatherContents(std::function<void(TakeFileContents)> use);
+
+    // Calls it once all that is recorded until now is packed and, if there is a journal, written there.
+    void whenPacked(std::function<void()> then);
+    bool hasJournal() const { return m_recorder.hasJournal(); }
 
     const Recording& recording() const { return m_recording; }
-    const Sheet& sheet() const { return m_sheet; }
-    int currentFrame() const { return m_current; }
-    const FramePointer& shownFrame() const { return m_recording.frame(m_current); }
-    // With which the run went on from the shown frame or, if that is where it would go on, will.
-    const Scene& shownScene() const;
+    const Sheet& sheet() const { return m_recording.take()->sheet(); }
+    int currentFrame() const { return m_recording.shownFrame(); }
+    const FramePointer& shownFrame() const { return m_shown; }
+    FramePointer look(int frame); // of the open take, as it is kept
+    const Scene& shownScene() const { return m_recording.shownScene(); }
     bool isPlaying() const { return m_playing; }
-    bool isSimulating() const { return m_pendingTicket != 0; } // a frame is under way
-    int firstStaleFrame() const { return m_firstStale; }       // frameCount() if none is
-    QString blowUp() const { return m_blowUp; }                // in words; empty if it did not
+    bool isSimulating() const { return m_pending && m_pending->newFrame; } // a new frame is under way
+    int firstStaleFrame() const { return m_recording.firstStaleFrame(); }
+    QString blowUp() const { return m_blowUp; } // in words; empty if it did not
     std::thread::id lastComputedOn() const { return m_lastComputedOn; }
+    std::size_t bytesInMemory() const;
 
 public slots:
     void play();
     void pause();
     void togglePlaying() { m_playing ? pause() : play(); }
     void showFrame(int frame); // pauses; clamped to what is recorded
-    void moveBy(int frames) { showFrame(m_current + frames); }
+    void moveBy(int frames) { showFrame(currentFrame() + frames); }
     void simulateFrame(); // pauses; one frame after the last that is not stale
-    void restart();       // a new recording from the start of the scene as it is now
+    void restart();       // a new take from the start of the scene as it is now
+
+    // Each an undo step.
+    void openTake(clothlab::TakeId id);
+    void renameTake(clothlab::TakeId id, const QString& name);
+    void deleteTake(clothlab::TakeId id);
 
 signals:
     void frameShown();       // currentFrame() or what it holds has changed
-    void recordingChanged(); // number of frames or which are stale
+    void recordingChanged(); // the frames of the open take, which are stale, or how they are kept
+    void takesChanged();     // which there are, their names, or which is open
     void playingChanged(bool playing);
     void blowUpChanged();
     void notice(const QString& text); // something the user should know
 
 private:
+    friend class OpenTakeCommand;
+    friend class RenameTakeCommand;
+    friend class DeleteTakeCommand;
+    void exchangeView(Recording::View& other);
+    void exchangeName(const TakePointer& take, std::string& other);
+    bool removeTake(const TakePointer& take);
+    void insertTake(const TakePointer& take);
+
+    // What the worker is at.
+    struct Pending {
+        std::uint64_t ticket;
+        TakePointer take;
+        int regained;  // the last frame of the take that is computed again
+        bool newFrame; // and then one more
+    };
+
+    void beginSession(std::shared_ptr<const TakeFileContents> contents = nullptr);
+    void onSceneReplaced();
     void onSceneChanged(SceneChange change);
-    void updateStaleness(std::shared_ptr<const Scene> before);
-    bool areComputedAs(const Scene& scene, int first) const; // all frames from there on
-    void dropStaleFrames();
+    void showOtherTake();
+    void announceTake(); // the open one, which has just begun, to the recorder
+    void tellTake(const Take& take);
+
     void advance();  // the next frame is due
     void schedule(); // the one after it
     void requestFrame();
+    bool isFull();
+    void refine(); // the shown frame
+    void request(int regained, bool newFrame);
     void dropPending();
     void receive(FrameOutcome outcome);
+    void repairWay(const Pending& done);
+    void receive(Packed packed);
     void record(FramePointer frame);
     void stopForBlowUp(const FrameOutcome& outcome);
     void show(int frame);
@@ -72,27 +120,25 @@ private:
 
     Document& m_document;
     Recording m_recording;
-    Sheet m_sheet;
-    int m_current = 0;
-    int m_firstStale = 0;
-    // An edit that made frames stale: what undoing it brings back.
-    struct StaleEdit {
-        std::shared_ptr<const Scene> before;
-        int firstStale;
-    };
-    std::vector<StaleEdit> m_staleEdits;  // since frames were last recorded or dropped
-    std::shared_ptr<const Scene> m_scene; // the document's, as last heard of
+    std::size_t m_budget;
+    FramePointer m_shown;
+    GroupReader m_reader;
+    Recording::View* m_opening = nullptr; // while the scene is exchanged for that of another take
     bool m_playing = false;
     QString m_blowUp;
     std::thread::id m_lastComputedOn;
 
+    std::optional<Pending> m_pending;
     std::uint64_t m_lastTicket = 0;
-    std::uint64_t m_pendingTicket = 0; // 0: nothing under way
-    FramePointer m_ready;              // computed ahead; recorded once it is due
-    QTimer m_clock;                    // runs until the next frame is due
+    FramePointer m_ready; // computed ahead; recorded once it is due
+    QTimer m_clock;       // runs until the next frame is due
     QElapsedTimer m_sincePlay;
-    double m_due = 0;     // of the next frame, in ms of m_sincePlay
-    FrameWorker m_worker; // last: gone before what its outcomes touch
+    double m_due = 0; // of the next frame, in ms of m_sincePlay
+
+    std::function<QString()> m_newJournal;
+    int m_session = 0;
+    Recorder m_recorder;
+    FrameWorker m_worker; // last: these two are gone before what their outcomes touch
 };
 
 } // namespace clothlab

@@ -38,10 +38,13 @@ QAction* Actions::add(const char* name, const QString& text, const QString& icon
 
 void Actions::addFileActions() {
     newScene = add("newScene", tr("&New"), "new", {QKeySequence::New}, tr("New scene"));
-    open = add("open", tr("&Open…"), "open", {QKeySequence::Open}, tr("Open a scene"));
-    save = add("save", tr("&Save"), "save", {QKeySequence::Save}, tr("Save the scene"));
+    open = add("open", tr("&Open…"), "open", {QKeySequence::Open}, tr("Open a scene or a recording"));
+    save = add("save", tr("&Save"), "save", {QKeySequence::Save},
+               tr("Save the scene, or the recording that was opened"));
     saveAs =
         add("saveAs", tr("Save &As…"), "save-as", {QKeySequence("Ctrl+Shift+S")}, tr("Save the scene as"));
+    saveRecording = add("saveRecording", tr("Save with &Recording As…"), {}, {QKeySequence("Ctrl+Alt+S")},
+                        tr("Save the scene with all takes of its recording"));
     screenshot = add("screenshot", tr("Save a &Picture of the Window…"), "screenshot", {QKeySequence("F12")},
                      tr("Save a picture of the window"));
     picture = add("picture", tr("Save a Picture of the &View…"), {}, {QKeySequence("Shift+F12")},

@@ -17,6 +17,7 @@ public:
     QAction* open = nullptr;
     QAction* save = nullptr;
     QAction* saveAs = nullptr;
+    QAction* saveRecording = nullptr;
     QAction* screenshot = nullptr;
     QAction* picture = nullptr;
     QAction* quit = nullptr;

@@ -1,13 +1,19 @@
 #include "app/window/file_controller.h"
 
 #include "app/document/data_files.h"
+#include "app/document/scene_files.h"
 #include "app/widgets/number_field.h"
+#include "simcore/recording/recording_contents.h"
 
 #include <QApplication>
 #include <QDir>
+#include <QEventLoop>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
+
+#include <algorithm>
+#include <future>
 
 namespace clothlab {
 namespace {
@@ -28,11 +34,18 @@ QString textOf(const Diagnostics& diagnostics, const QString& path, Severity sev
     return lines.join('\n');
 }
 
+const QString kRecordingEnding = QStringLiteral(".clothtake");
+
+bool isRecordingName(const QString& path) {
+    return path.endsWith(kRecordingEnding, Qt::CaseInsensitive);
+}
+
 } // namespace
 
-FileController::FileController(Document& document, QSettings& settings, QWidget& window)
-    : QObject(&window), m_document(document), m_settings(settings), m_window(window),
-      m_recentMenu(tr("Open &Recent")) {
+FileController::FileController(Document& document, Simulation& simulation, QSettings& settings,
+                               QWidget& window)
+    : QObject(&window), m_document(document), m_simulation(simulation), m_settings(settings),
+      m_window(window), m_recentMenu(tr("Open &Recent")) {
     connect(&m_recentMenu, &QMenu::aboutToShow, this, &FileController::fillRecentMenu);
     fillRecentMenu();
 }
@@ -64,6 +77,8 @@ bool FileController::open(const QString& path) {
 }
 
 bool FileController::openUnasked(const QString& path) {
+    if (isRecordingName(path))
+        return openRecording(path);
     const Diagnostics diagnostics = m_document.open(path);
     if (hasErrors(diagnostics)) {
         emit problem(tr("The scene was not opened. %1").arg(textOf(diagnostics, path, Severity::Error)));
@@ -80,8 +95,9 @@ bool FileController::openUnasked(const QString& path) {
 bool FileController::chooseAndOpen() {
     if (!mayDiscard())
         return false;
-    const QString path = QFileDialog::getOpenFileName(&m_window, tr("Open a scene"), folder(),
-                                                      tr("Scenes (*.json);;All files (*)"));
+    const QString path =
+        QFileDialog::getOpenFileName(&m_window, tr("Open a scene or a recording"), folder(),
+                                     tr("Scenes and recordings (*.json *.clothtake);;All files (*)"));
     return !path.isEmpty() && openUnasked(path);
 }
 
@@ -90,22 +106,119 @@ bool FileController::save() {
 }
 
 bool FileController::saveAs() {
-    const QString proposal = m_document.path().isEmpty() ? folder() + "/untitled.json" : m_document.path();
-    QString path = QFileDialog::getSaveFileName(&m_window, tr("Save the scene"), proposal,
-                                                tr("Scenes (*.json);;All files (*)"));
+    if (m_document.isRecovered())
+        return saveRecordingAs();
+    return chooseAndSave(tr("Save the scene"),
+                         tr("Scenes (*.json);;Scenes with their recording (*.clothtake);;All files (*)"),
+                         QStringLiteral(".json"));
+}
+
+bool FileController::saveRecordingAs() {
+    return chooseAndSave(tr("Save the scene with its recording"), tr("Recordings (*.clothtake)"),
+                         kRecordingEnding);
+}
+
+bool FileController::chooseAndSave(const QString& title, const QString& filters, const QString& ending) {
+    QString proposal = m_document.path().isEmpty() ? folder() + "/untitled" + ending : m_document.path();
+    if (isRecordingName(ending) && !isRecordingName(proposal))
+        proposal = QFileInfo(proposal).absolutePath() + '/' + QFileInfo(proposal).completeBaseName() + ending;
+    QString chosen;
+    QString path = QFileDialog::getSaveFileName(&m_window, title, proposal, filters, &chosen);
     if (path.isEmpty())
         return false;
-    if (QFileInfo(path).suffix().isEmpty())
-        path += ".json";
+    if (QFileInfo(path).suffix().isEmpty() || (isRecordingName(ending) && !isRecordingName(path)))
+        path += chosen.contains(kRecordingEnding) ? kRecordingEnding : ending;
     return saveTo(path);
 }
 
 bool FileController::saveTo(const QString& path) {
     commitFocusedField();
+    if (isRecordingName(path))
+        return saveRecording(path);
     if (const auto error = m_document.save(path)) {
         emit problem(tr("The scene was not saved. %1: %2").arg(QDir::toNativeSeparators(path), *error));
         return false;
     }
+    remember(m_document.path());
+    emit notice(tr("Saved %1").arg(m_document.displayName()));
+    return true;
+}
+
+// path: of the document from now on.
+bool FileController::loadRecording(const QString& from, const QString& path, QString& warnings) {
+    TakeFileReading reading = readTakeFile(from.toStdString());
+    if (!reading.contents) {
+        emit problem(
+            tr("The recording was not opened. %1").arg(textOf(reading.diagnostics, from, Severity::Error)));
+        return false;
+    }
+    const QString folder = QFileInfo(from).absolutePath();
+    for (auto& [id, scene] : reading.contents->scenes)
+        scene = std::make_shared<const Scene>(withAbsoluteFiles(*scene, folder));
+    const LoadedTakes loaded = takesOf(*reading.contents);
+    m_document.setScene(*loaded.scene, path);
+    m_simulation.load(loaded, std::move(*reading.contents));
+    warnings = textOf(reading.diagnostics, from, Severity::Warning);
+    return true;
+}
+
+bool FileController::openRecording(const QString& path) {
+    QString warnings;
+    if (!loadRecording(path, QFileInfo(path).absoluteFilePath(), warnings))
+        return false;
+    remember(m_document.path());
+    emit notice(tr("Opened %1").arg(m_document.displayName()));
+    if (!warnings.isEmpty())
+        emit problem(warnings);
+    return true;
+}
+
+bool FileController::openRecovered(const QString& journal) {
+    QString warnings; // that it ends without an end is what it is here for
+    if (!mayDiscard() || !loadRecording(journal, {}, warnings))
+        return false;
+    m_document.setRecovered();
+    emit notice(tr("Recovered. Save it to keep it."));
+    return true;
+}
+
+// On a thread of its own, while the window goes on; it returns when that is done.
+bool FileController::saveRecording(const QString& path) {
+    if (m_saving) {
+        emit notice(tr("A recording is being saved; wait until it is."));
+        return false;
+    }
+    m_saving = true;
+    struct Saving {
+        QEventLoop loop;
+        int revision = 0;
+        std::future<std::optional<std::string>> result;
+    };
+    const auto saving = std::make_shared<Saving>();
+    m_simulation.gatherContents([this, saving, path](TakeFileContents contents) {
+        saving->revision = m_document.revision();
+        const QString folder = QFileInfo(path).absolutePath();
+        for (auto& [id, scene] : contents.scenes)
+            scene = std::make_shared<const Scene>(withRelativeFiles(*scene, folder));
+        saving->result = std::async(std::launch::async, [this, saving, path, contents = std::move(contents)] {
+            auto error = writeTakeFile(path.toStdString(), contents, [this](double share) {
+                emit savingProgress(int(100 * share));
+                return true;
+            });
+            QMetaObject::invokeMethod(&saving->loop, &QEventLoop::quit, Qt::QueuedConnection);
+            return error;
+        });
+    });
+    saving->loop.exec();
+    m_saving = false;
+    if (!saving->result.valid()) // the program ends
+        return false;
+    if (const auto error = saving->result.get()) {
+        emit problem(tr("The recording was not saved. %1: %2")
+                         .arg(QDir::toNativeSeparators(path), QString::fromStdString(*error)));
+        return false;
+    }
+    m_document.setSaved(path, saving->revision);
     remember(m_document.path());
     emit notice(tr("Saved %1").arg(m_document.displayName()));
     return true;

@@ -1,7 +1,7 @@
 // New, Open, Open Recent, Save and the question before anything is lost.
 #pragma once
 
-#include "app/document/document.h"
+#include "app/simulation/simulation.h"
 
 #include <QMenu>
 #include <QObject>
@@ -14,14 +14,18 @@ class FileController : public QObject {
 
 public:
     // Dialogs stand over `window`. Recent files are kept in `settings`.
-    FileController(Document& document, QSettings& settings, QWidget& window);
+    FileController(Document& document, Simulation& simulation, QSettings& settings, QWidget& window);
 
     bool newScene();                // false: the user would rather keep what is open
     bool open(const QString& path); // asks first; false also if the file could not be read
     bool openUnasked(const QString& path);
+    // What a crash has left. It has no file until it is saved.
+    bool openRecovered(const QString& journal);
     bool chooseAndOpen();
     bool save();
-    bool saveAs();
+    bool saveAs();          // of a scene alone or, by the ending of its name, with the recording
+    bool saveRecordingAs(); // both
+    bool isSaving() const { return m_saving; } // a recording, while the window goes on
     bool mayDiscard(); // asks if there are unsaved changes; saves them if the user says so
 
     QMenu* recentMenu() { return &m_recentMenu; }
@@ -30,17 +34,24 @@ public:
 signals:
     void notice(const QString& text);
     void problem(const QString& text);
+    void savingProgress(int percent);
 
 private:
+    bool openRecording(const QString& path);
+    bool loadRecording(const QString& from, const QString& path, QString& warnings);
     bool saveTo(const QString& path);
+    bool saveRecording(const QString& path);
+    bool chooseAndSave(const QString& title, const QString& filters, const QString& ending);
     QString folder() const; // where file choosers begin
     void remember(const QString& path);
     void fillRecentMenu();
 
     Document& m_document;
+    Simulation& m_simulation;
     QSettings& m_settings;
     QWidget& m_window;
     QMenu m_recentMenu;
+    bool m_saving = false;
 };
 
 } // namespace clothlab

@@ -19,7 +19,10 @@
 
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDateTime>
 #include <QDockWidget>
+#include <QFileInfo>
+#include <QLocale>
 #include <QMimeData>
 #include <QStatusBar>
 #include <QVBoxLayout>
@@ -27,11 +30,28 @@
 #include <utility>
 
 namespace clothlab {
+namespace {
 
-MainWindow::MainWindow(std::unique_ptr<QSettings> settings, const QString& shaderDirectory, QWidget* parent)
-    : QMainWindow(parent), m_settings(std::move(settings)), m_simulation(m_document),
-      m_actions(new Actions(*this)), m_files(new FileController(m_document, *m_settings, *this)),
-      m_messageBar(new MessageBar), m_viewport(new Viewport(m_document, m_simulation)),
+int framesIn(const TakeFileContents& contents) {
+    int frames = 0;
+    for (const RecordedTake& take : contents.takes)
+        frames += take.end() - take.info.firstOwnFrame();
+    return frames;
+}
+
+// Neither simulated nor edited.
+bool isNothing(const TakeFileContents& contents) {
+    return framesIn(contents) <= 1 && contents.meta.scene == 0;
+}
+
+} // namespace
+
+MainWindow::MainWindow(std::unique_ptr<QSettings> settings, const QString& shaderDirectory,
+                       const QString& recoveryDirectory, QWidget* parent)
+    : QMainWindow(parent), m_settings(std::move(settings)), m_recovery(recoveryDirectory),
+      m_simulation(m_document), m_actions(new Actions(*this)),
+      m_files(new FileController(m_document, m_simulation, *m_settings, *this)), m_messageBar(new MessageBar),
+      m_viewport(new Viewport(m_document, m_simulation)),
       m_shaderFolder(new render::ShaderFolder(
           shaderDirectory.isEmpty() ? dataDirectory("shaders") : shaderDirectory, this)),
       m_systemTheme(new SystemTheme(this)), m_textureDirectory(dataDirectory("textures")) {
@@ -65,6 +85,8 @@ MainWindow::MainWindow(std::unique_ptr<QSettings> settings, const QString& shade
     connect(m_systemTheme, &SystemTheme::changed, this, &MainWindow::applyChosenTheme);
     applyChosenTheme();
     m_viewport->setFocus();
+    m_simulation.setJournals([this] { return newJournal(); });
+    offerRecovery();
 }
 
 MainWindow::~MainWindow() {
@@ -77,11 +99,65 @@ QDockWidget* MainWindow::dock(const QString& name) const {
     return findChild<QDockWidget*>(name);
 }
 
+// --- what a crash leaves
+
+QString MainWindow::newJournal() {
+    QString problem;
+    QString path = m_recovery.begin(problem);
+    if (!problem.isEmpty())
+        say(problem);
+    return path;
+}
+
+void MainWindow::offerRecovery() {
+    const QStringList left = m_recovery.left();
+    if (left.isEmpty())
+        return;
+    const QString journal = left.constFirst();
+    const TakeFileReading reading = readTakeFile(journal.toStdString());
+    if (!reading.contents || isNothing(*reading.contents)) {
+        if (m_recovery.claim(journal))
+            m_recovery.discard(journal);
+        return;
+    }
+    auto* open = new QAction(tr("Open It"));
+    open->setObjectName("openRecovered");
+    open->setToolTip(tr("Open what was recorded; save it to keep it"));
+    auto* discard = new QAction(tr("Discard It"));
+    discard->setObjectName("discardRecovered");
+    discard->setToolTip(tr("Delete what was recorded, for good"));
+    connect(open, &QAction::triggered, this, [this, journal] { recover(journal); });
+    connect(discard, &QAction::triggered, this, [this, journal] {
+        if (m_recovery.claim(journal))
+            m_recovery.discard(journal);
+        offerRecovery(); // there may be more
+    });
+    m_messageBar->offer(
+        tr("ClothLab ended unexpectedly. What was recorded until %1 is still there: %n frame(s).", nullptr,
+           framesIn(*reading.contents))
+            .arg(QLocale::c().toString(QFileInfo(journal).lastModified(), "yyyy-MM-dd HH:mm")),
+        {open, discard});
+}
+
+void MainWindow::recover(const QString& journal) {
+    if (!m_recovery.claim(journal) || !m_files->openRecovered(journal))
+        return;
+    // Only now that it is in the journal of this run.
+    m_simulation.whenPacked([this, journal] {
+        if (m_simulation.hasJournal())
+            m_recovery.discard(journal);
+    });
+}
+
 void MainWindow::connectFileActions() {
     connect(m_actions->newScene, &QAction::triggered, m_files, &FileController::newScene);
     connect(m_actions->open, &QAction::triggered, m_files, &FileController::chooseAndOpen);
     connect(m_actions->save, &QAction::triggered, m_files, &FileController::save);
     connect(m_actions->saveAs, &QAction::triggered, m_files, &FileController::saveAs);
+    connect(m_actions->saveRecording, &QAction::triggered, m_files, &FileController::saveRecordingAs);
+    connect(m_files, &FileController::savingProgress, this, [this](int percent) {
+        statusBar()->showMessage(tr("Saving the recording: %1 %").arg(percent), 2000);
+    });
     connect(m_actions->screenshot, &QAction::triggered, this, &MainWindow::choosePicture);
     connect(m_actions->quit, &QAction::triggered, this, &QWidget::close);
     connect(&m_document, &Document::fileChanged, this, &MainWindow::updateTitle);
@@ -185,7 +261,9 @@ std::optional<QString> MainWindow::savePicture(const QString& path) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!m_files->mayDiscard() || !mayDropShaderText()) {
+    if (m_files->isSaving())
+        say(tr("The recording is being saved; close the window when it is."));
+    if (m_files->isSaving() || !m_files->mayDiscard() || !mayDropShaderText()) {
         event->ignore();
         return;
     }

@@ -4,6 +4,7 @@
 #include "app/document/document.h"
 #include "app/simulation/simulation.h"
 #include "app/widgets/theme.h"
+#include "app/window/recovery.h"
 
 #include <QMainWindow>
 #include <QSettings>
@@ -31,6 +32,7 @@ class ShaderEditor;
 class SimulationPanel;
 class SpringsPanel;
 class SystemTheme;
+class TakesPanel;
 class TimelinePanel;
 class Viewport;
 
@@ -40,8 +42,9 @@ class MainWindow : public QMainWindow {
 public:
     // Layout, theme and recent files are read from and kept in `settings`.
     // shaderDirectory: empty for that which comes with the program.
+    // recoveryDirectory: where recordings are written to while they are made; empty: nowhere.
     explicit MainWindow(std::unique_ptr<QSettings> settings, const QString& shaderDirectory = {},
-                        QWidget* parent = nullptr);
+                        const QString& recoveryDirectory = {}, QWidget* parent = nullptr);
     ~MainWindow() override;
 
     Document& document() { return m_document; }
@@ -55,6 +58,7 @@ public:
     AppearancePanel& appearancePanel() { return *m_appearancePanel; }
     InspectorPanel& inspectorPanel() { return *m_inspectorPanel; }
     TimelinePanel& timelinePanel() { return *m_timelinePanel; }
+    TakesPanel& takesPanel() { return *m_takesPanel; }
     OutputPanel& outputPanel() { return *m_outputPanel; }
     ShaderEditor& shaderEditor() { return *m_shaderEditor; }
     render::ShaderFolder& shaderFolder() { return *m_shaderFolder; }
@@ -103,10 +107,14 @@ private:
     void tellProblems();
     void applyChosenTheme();
     bool mayDropShaderText();
+    QString newJournal();
+    void offerRecovery();
+    void recover(const QString& journal);
     void showKeys();
     void showAbout();
 
     std::unique_ptr<QSettings> m_settings;
+    Recovery m_recovery; // before the simulation, whose journals it removes
     Document m_document;
     Simulation m_simulation;
     Actions* m_actions;
@@ -118,6 +126,7 @@ private:
     AppearancePanel* m_appearancePanel = nullptr;
     InspectorPanel* m_inspectorPanel = nullptr;
     TimelinePanel* m_timelinePanel = nullptr;
+    TakesPanel* m_takesPanel = nullptr;
     OutputPanel* m_outputPanel = nullptr;
     ShaderEditor* m_shaderEditor = nullptr;
     render::ShaderFolder* m_shaderFolder;

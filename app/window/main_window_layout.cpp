@@ -5,6 +5,7 @@
 #include "app/docks/shader_editor.h"
 #include "app/docks/simulation_panel.h"
 #include "app/docks/springs_panel.h"
+#include "app/docks/takes_panel.h"
 #include "app/docks/text.h"
 #include "app/docks/timeline_panel.h"
 #include "app/viewport/viewport.h"
@@ -30,7 +31,7 @@
 namespace clothlab {
 namespace {
 
-constexpr int kLayoutVersion = 2; // of saveState(); another number forgets what was kept
+constexpr int kLayoutVersion = 3; // of saveState(); another number forgets what was kept
 
 } // namespace
 
@@ -43,6 +44,7 @@ void MainWindow::makePanels() {
                                         {m_actions->firstFrame, m_actions->stepBack, m_actions->playPause,
                                          m_actions->stepForward, m_actions->lastFrame,
                                          m_actions->simulateFrame, m_actions->restart});
+    m_takesPanel = new TakesPanel(m_simulation);
     m_outputPanel = new OutputPanel;
     m_shaderEditor = new ShaderEditor;
 
@@ -53,9 +55,11 @@ void MainWindow::makePanels() {
     addDock("simulation", tr("Simulation"), m_simulationPanel, Qt::RightDockWidgetArea, true);
     addDock("inspector", tr("Inspector"), m_inspectorPanel, Qt::RightDockWidgetArea, false);
     addDock("timeline", tr("Timeline"), m_timelinePanel, Qt::BottomDockWidgetArea, false);
+    addDock("takes", tr("Takes"), m_takesPanel, Qt::BottomDockWidgetArea, false);
     addDock("output", tr("Output"), m_outputPanel, Qt::BottomDockWidgetArea, false);
     addDock("shader", tr("Shader"), m_shaderEditor, Qt::BottomDockWidgetArea, false);
-    tabifyDockWidget(dock("timeline"), dock("output"));
+    tabifyDockWidget(dock("timeline"), dock("takes"));
+    tabifyDockWidget(dock("takes"), dock("output"));
     tabifyDockWidget(dock("output"), dock("shader"));
     dock("timeline")->raise();
     m_defaultState = saveState(kLayoutVersion);
@@ -85,7 +89,7 @@ void MainWindow::makeMenus() {
     file->addActions({m_actions->newScene, m_actions->open});
     file->addMenu(m_files->recentMenu());
     file->addSeparator();
-    file->addActions({m_actions->save, m_actions->saveAs});
+    file->addActions({m_actions->save, m_actions->saveAs, m_actions->saveRecording});
     file->addSeparator();
     file->addActions({m_actions->picture, m_actions->screenshot});
     file->addSeparator();
@@ -119,7 +123,7 @@ void MainWindow::makeMenus() {
 
     QMenu* panels = menuBar()->addMenu(tr("&Panels"));
     for (const char* name :
-         {"springs", "appearance", "inspector", "simulation", "timeline", "output", "shader"})
+         {"springs", "appearance", "inspector", "simulation", "timeline", "takes", "output", "shader"})
         panels->addAction(dock(name)->toggleViewAction());
     panels->addSeparator();
     panels->addActions({m_actions->hidePanels, m_actions->resetLayout});

@@ -4,7 +4,6 @@
 #include "app/widgets/theme.h"
 
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QToolButton>
 
 namespace clothlab {
@@ -27,13 +26,15 @@ MessageBar::MessageBar(QWidget* parent) : QWidget(parent), m_icon(new QLabel), m
     layout->setContentsMargins(10, 6, 6, 6);
     layout->addWidget(m_icon);
     layout->addWidget(m_text, 1);
+    m_answers = new QHBoxLayout;
+    layout->addLayout(m_answers);
     layout->addWidget(close);
     colorText();
     hide();
 }
 
 void MessageBar::colorText() {
-    m_icon->setPixmap(themedIcon("error").pixmap(20, 20));
+    m_icon->setPixmap(themedIcon(m_offers ? "info" : "error").pixmap(20, 20));
 }
 
 void MessageBar::changeEvent(QEvent* event) {
@@ -43,6 +44,31 @@ void MessageBar::changeEvent(QEvent* event) {
 }
 
 void MessageBar::showProblem(const QString& text) {
+    m_offers = false;
+    showText(text, {});
+}
+
+void MessageBar::offer(const QString& text, const QList<QAction*>& answers) {
+    m_offers = true;
+    showText(text, answers);
+}
+
+void MessageBar::showText(const QString& text, const QList<QAction*>& answers) {
+    while (QLayoutItem* item = m_answers->takeAt(0)) {
+        item->widget()->deleteLater(); // it may have been clicked just now
+        delete item;
+    }
+    for (QAction* answer : answers) {
+        auto* button = new QToolButton;
+        answer->setParent(button);
+        button->setDefaultAction(answer);
+        button->setObjectName(answer->objectName());
+        button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+        button->setFocusPolicy(Qt::NoFocus);
+        connect(answer, &QAction::triggered, this, &QWidget::hide);
+        m_answers->addWidget(button);
+    }
+    colorText();
     m_text->setText(text);
     show();
 }

@@ -8,6 +8,7 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QDir>
+#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTimer>
 
@@ -104,7 +105,11 @@ int runWindow(const WindowOptions& options) {
         pictureOnly
             ? std::make_unique<QSettings>(temporary.filePath("settings.ini"), QSettings::IniFormat)
             : std::make_unique<QSettings>(QSettings::IniFormat, QSettings::UserScope, "ClothLab", "ClothLab");
-    MainWindow window(std::move(settings), options.shaderDirectory);
+    const QString recovery =
+        pictureOnly
+            ? QString()
+            : QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + "/ClothLab/recovery";
+    MainWindow window(std::move(settings), options.shaderDirectory, recovery);
     if (!options.theme.isEmpty())
         window.setTheme(options.theme == "light" ? Theme::Light : Theme::Dark);
     window.show();

@@ -28,7 +28,7 @@ void StatusLine::refresh() {
                             took,
                             tr("%1 points").arg(groupedNumber(grid.pointCount())),
                             tr("%1 springs").arg(groupedNumber(grid.springCount())),
-                            QLocale::c().formattedDataSize(qint64(m_simulation.recording().bytes()), 1)};
+                            QLocale::c().formattedDataSize(qint64(m_simulation.bytesInMemory()), 1)};
     setText(parts.join(QStringLiteral("  ·  ")) + QStringLiteral("  "));
 }
 

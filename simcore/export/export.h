@@ -3,7 +3,7 @@
 #pragma once
 
 #include "simcore/export/placement.h"
-#include "simcore/recording/recording.h"
+#include "simcore/recording/frame.h"
 
 #include <optional>
 #include <ostream>

@@ -41,6 +41,7 @@ struct TakeMeta {
     double error = kDefaultError;
     TakeId activeTake = 0; // 0: none
     int shownFrame = 0;
+    SceneId scene = 0; // of the user, which may not have been run yet; 0: that of the shown frame
     std::vector<FrameMarker> markers;
     std::vector<PlayRange> ranges;
     std::string unknownKeys; // text of a JSON object; empty: there are none

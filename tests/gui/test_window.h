@@ -8,6 +8,7 @@
 #include "app/docks/shader_editor.h"
 #include "app/docks/simulation_panel.h"
 #include "app/docks/springs_panel.h"
+#include "app/docks/takes_panel.h"
 #include "app/docks/timeline_panel.h"
 #include "app/viewport/viewport.h"
 #include "app/widgets/foldable_group.h"
@@ -89,7 +90,8 @@ public:
     void open() {
         m_window.reset();
         m_window = std::make_unique<MainWindow>(
-            std::make_unique<QSettings>(path("settings.ini"), QSettings::IniFormat), m_shaders);
+            std::make_unique<QSettings>(path("settings.ini"), QSettings::IniFormat), m_shaders,
+            path("recovery"));
         m_window->resize(m_size);
         m_window->show();
         m_window->activateWindow();

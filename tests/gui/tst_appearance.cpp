@@ -306,7 +306,7 @@ void TestAppearance::theRangeOfStrainFitsTheRecording() {
     for (int frame = 0; frame <= 40; ++frame)
         greatest = std::max(
             greatest, pointStrains(scene.cloth, m_window->simulation().sheet(),
-                                   m_window->simulation().recording().frame(frame)->state.position, strains));
+                                   m_window->simulation().recording().frame(frame).exact->state.position, strains));
     QVERIFY(greatest > 0.01);
     m_window->click(panel().findChild<QWidget*>("fitStrainRange"));
     QVERIFY(look().strainRange >= greatest && look().strainRange < 1.02 * greatest);
@@ -360,12 +360,12 @@ void TestAppearance::stepsAndDragsPassOverMeshesTooCoarse() {
 void TestAppearance::theLookDoesNotDisturbARun() {
     QVERIFY(m_window->simulateTo(5));
     m_window->simulation().showFrame(3);
-    const FramePointer last = m_window->simulation().recording().frame(5);
+    const FramePointer last = m_window->simulation().look(5);
     for (const Control& control : controls()) {
         control.change();
         QVERIFY2(m_window->frameCount() == 6 && m_window->frame() == 3, qPrintable(control.name));
         QVERIFY2(m_window->simulation().firstStaleFrame() == 6, qPrintable(control.name));
-        QVERIFY2(m_window->simulation().recording().frame(5) == last, qPrintable(control.name));
+        QVERIFY2(m_window->simulation().look(5) == last, qPrintable(control.name));
     }
     // A run that goes on goes on.
     m_window->viewport().setFocus();

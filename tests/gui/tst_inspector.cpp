@@ -116,7 +116,7 @@ void TestInspector::aSpringShowsEverythingThatIsTrueOfIt() {
     const QString ends = line("From") + line("To");
     QVERIFY2(ends.contains("(2, 3)") && ends.contains("(3, 2)"), qPrintable(ends));
     const double length = (frame().state.position.at(a) - frame().state.position.at(b)).norm();
-    const PointArray& start = m_window->simulation().recording().frame(0)->state.position;
+    const PointArray& start = m_window->simulation().recording().frame(0).exact->state.position;
     const double rest = (start.at(a) - start.at(b)).norm();
     QVERIFY2(isNear(numbers("Length").value(0), length), qPrintable(line("Length")));
     QVERIFY2(isNear(numbers("Rest length").value(0), rest), qPrintable(line("Rest length")));

@@ -59,7 +59,7 @@ bool TestThreads::waitUntilTheWorkerIsIdle() {
         return false;
     simulation().simulateFrame();
     return QTest::qWaitFor([&] { return m_window->frameCount() > before; }, kPatience) &&
-           simulation().recording().frame(before)->scene->simulation.stepsPerFrame == 1;
+           simulation().recording().frame(before).scene->simulation.stepsPerFrame == 1;
 }
 
 void TestThreads::noFrameIsEverComputedOnTheGuiThread() {
@@ -121,7 +121,7 @@ void TestThreads::pauseActsAtOnceAndNothingIsRecordedAfterIt() {
     QVERIFY(waitUntilTheWorkerIsIdle());
     QVERIFY2(clock.elapsed() < kPatience, "the frame under way was not abandoned");
     QCOMPARE(m_window->frameCount(), 2);
-    QCOMPARE(simulation().recording().frame(1)->scene->simulation.stepsPerFrame, 1);
+    QCOMPARE(simulation().recording().frame(1).scene->simulation.stepsPerFrame, 1);
 }
 
 void TestThreads::pauseActsWithinAFrameWhilePlaying() {

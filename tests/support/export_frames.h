@@ -1,7 +1,7 @@
 // Frames to export, and a disk that fills up.
 #pragma once
 
-#include "simcore/recording/recording.h"
+#include "simcore/recording/frame.h"
 
 #include <string>
 #include <vector>

@@ -2,7 +2,7 @@
 #include "simcore/cloth/cloth_state.h"
 #include "simcore/inspect/inspect.h"
 #include "simcore/inspect/stability.h"
-#include "simcore/recording/recording.h"
+#include "simcore/recording/frame.h"
 #include "simcore/scene/scene_io.h"
 #include "simcore/solver/verlet_solver.h"
 #include "tests/support/export_frames.h"
