@@ -1,7 +1,7 @@
 #include "simcore/recording/recording.h"
 
 #include <algorithm>
-#include <ranges>
+#include <iterator>
 #include <utility>
 
 namespace clothlab {
@@ -107,7 +107,7 @@ Recording::Effect Recording::changeStart() {
         return Effect::OtherTake;
     }
     const Left left = *back;
-    m_left.erase(back.base() - 1, m_left.end());
+    m_left.erase(std::prev(back.base()));
     open(left.take, left.frame);
     if (!moveAlike(*lastScene(*m_open), *m_scene))
         changeMotion(lastScene(*m_open));

@@ -100,6 +100,8 @@ bool readMember(const json::Member& m, TakeMeta& meta) {
         meta.activeTake = wholeNumber(m.value, meta.activeTake);
     else if (m.key == "shown_frame")
         meta.shownFrame = wholeNumber(m.value, meta.shownFrame);
+    else if (m.key == "scene")
+        meta.scene = wholeNumber(m.value, meta.scene);
     else if (m.key == "markers")
         readMarkers(m.value, meta.markers);
     else if (m.key == "ranges")
@@ -119,6 +121,7 @@ std::string writeMeta(const TakeMeta& meta) {
         member("error", number(meta.error)),
         member("active_take", number(meta.activeTake)),
         member("shown_frame", number(meta.shownFrame)),
+        member("scene", number(meta.scene)),
         member("markers", list(meta.markers,
                                [&](const FrameMarker& marker) {
                                    return object({member("take", number(marker.take)),

