@@ -3,8 +3,6 @@
 
 #include "simcore/recording/take_chunks.h"
 
-#include <array>
-
 namespace clothlab {
 
 // In front of a file and of each chunk, and at the end of a finished file.

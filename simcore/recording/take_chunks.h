@@ -3,9 +3,11 @@
 
 #include "simcore/recording/take_meta.h"
 
+#include <cstdint>
 #include <iosfwd>
-#include <memory>
-#include <variant>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace clothlab {
 
