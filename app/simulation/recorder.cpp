@@ -68,9 +68,8 @@ void Recorder::add(TakeId take, std::shared_ptr<const Sheet> sheet, int number, 
     });
 }
 
-void Recorder::setScene(std::shared_ptr<const Scene> scene) {
-    post([this, scene = std::move(scene)] {
-        TakeMeta meta;
+void Recorder::setMeta(TakeMeta meta, std::shared_ptr<const Scene> scene) {
+    post([this, meta = std::move(meta), scene = std::move(scene)]() mutable {
         meta.error = m_error;
         meta.scene = idOf(scene);
         write(metaChunk(meta));

@@ -48,8 +48,9 @@ public:
     // The take is there, or has another name, or is hidden.
     void setTake(const TakeInfo& info);
     void add(TakeId take, std::shared_ptr<const Sheet> sheet, int number, FramePointer frame);
-    // The scene of the user, which may not have been run yet.
-    void setScene(std::shared_ptr<const Scene> scene);
+    // What the recording says of itself now: all of meta but its error and its scene, which is that of the
+    // user and may not have been run yet.
+    void setMeta(TakeMeta meta, std::shared_ptr<const Scene> scene);
     // Packs what is there, however little, and then calls `then` on the recorder's thread.
     void flush(std::function<void()> then);
 

@@ -223,7 +223,8 @@ void TakeAssembly::checkMeta(TakeFileContents& contents) {
              " of frames that are not there were left out");
     std::erase_if(meta.ranges, [&](const PlayRange& r) { return r.in >= endOf(r.take); });
     for (PlayRange& range : meta.ranges)
-        range.out = std::min(range.out, endOf(range.take) - 1);
+        if (range.out != kOpenEnd)
+            range.out = std::min(range.out, endOf(range.take) - 1);
 }
 
 TakeFileContents TakeAssembly::finish(Diagnostics& diagnostics) {
