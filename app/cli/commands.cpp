@@ -3,6 +3,7 @@
 #include "app/cli/exit_status.h"
 #include "app/cli/render_command.h"
 #include "app/cli/simulate_command.h"
+#include "app/cli/take_commands.h"
 #include "simcore/inspect/stability.h"
 #include "simcore/scene/scene_io.h"
 
@@ -50,7 +51,10 @@ QString helpText() {
       --threads T                       threads at most (automatic); the result is the same
       --output FILE                     write the last frame as .obj, .ply or .csv; with %04d in its
                                         name, every frame from 0, the start, a file each; or all
-                                        frames in one .pc2, .mdd or .glb; may be given several times
+                                        frames in one .pc2, .mdd or .glb, or as a recording in a
+                                        .clothtake; may be given several times
+      --error METRES                    greatest error of positions in a .clothtake (default 0.00001);
+                                        0 keeps their bits
       --axis y|z                        axis that is up in these files (default y)
       --scale S                         their units per metre (default 1)
       --measures FILE                   write energies and strains of every frame as .csv
@@ -63,16 +67,21 @@ QString helpText() {
       --output FILE                     the .png to write
       --shader-dir DIR, --threads T     as above
   clothlab check SCENE                  say what is wrong or doubtful about a scene
+  clothlab info RECORDING               say what is in a .clothtake: takes, changes, sizes
+  clothlab verify RECORDING             run a .clothtake again and compare every frame
+      --threads T                       as above
   clothlab --help | --version
 
-Exit status: 0 done; 1 check found warnings; 2 wrong usage; 3 the input is invalid or unreadable;
-4 the simulation blew up; 6 an output could not be written; 130 interrupted
+Exit status: 0 done; 1 check, info or verify found warnings; 2 wrong usage; 3 the input is invalid or
+unreadable; 4 the simulation blew up; 5 a recording is not what its run gives; 6 an output could not be
+written; 130 interrupted
 )")
         .arg(QStringLiteral(CLOTHLAB_VERSION));
 }
 
 bool isCommand(const QStringList& arguments) {
-    static const QStringList words{"simulate", "render", "check", "--help", "-h", "--version"};
+    static const QStringList words{"simulate", "render", "check", "info",
+                                   "verify",   "--help", "-h",    "--version"};
     return !arguments.isEmpty() && words.contains(arguments[0]);
 }
 
@@ -88,6 +97,10 @@ int runCommand(const QStringList& arguments) {
         return renderCommand(arguments.mid(1));
     if (command == "check")
         return checkCommand(arguments.mid(1));
+    if (command == "info")
+        return infoCommand(arguments.mid(1));
+    if (command == "verify")
+        return verifyCommand(arguments.mid(1));
     if (command == "--version")
         std::printf("clothlab %s\n", CLOTHLAB_VERSION);
     else

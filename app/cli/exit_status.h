@@ -8,6 +8,7 @@ enum ExitStatus {
     WrongUsage = 2,
     InvalidInput = 3,
     SimulationBlewUp = 4,
+    RecordingDiffers = 5,
     OutputNotWritten = 6,
     Interrupted = 130,
 };

@@ -101,7 +101,8 @@ void simulateFrames(VerletSolver& solver, const Options& options, Run& run) {
         QElapsedTimer timer;
         timer.start();
         const FrameResult result = runFrame(solver, state, stopRequested);
-        run.summary.seconds += double(timer.nsecsElapsed()) * 1e-9;
+        const double seconds = double(timer.nsecsElapsed()) * 1e-9;
+        run.summary.seconds += seconds;
         if (!result.finished) {
             if (result.blowUp)
                 run.summary.blowUp = RunBlowUp{*result.blowUp, number + 1, result.blowUpStep};
@@ -110,8 +111,8 @@ void simulateFrames(VerletSolver& solver, const Options& options, Run& run) {
         }
         run.summary.frames = number + 1;
         run.summary.strainLimitCorrections += result.strainLimitCorrections;
-        run.last = std::make_shared<const Frame>(
-            Frame{state, run.last->scene, (number + 1) * frameTime, result.strainLimitCorrections, 0});
+        run.last = std::make_shared<const Frame>(Frame{state, run.last->scene, (number + 1) * frameTime,
+                                                       result.strainLimitCorrections, 1000 * seconds});
     }
 }
 

@@ -3,6 +3,9 @@
 #include "app/cli/arguments.h"
 #include "app/cli/output_path.h"
 
+#include "simcore/export/take_writer.h"
+#include "simcore/recording/frame_codec.h"
+
 #include <QDir>
 #include <QFileInfo>
 #include <QSet>
@@ -12,19 +15,24 @@ namespace {
 
 struct Output {
     OutputPath path;
-    ExportFormat format;
+    std::optional<ExportFormat> format; // none: a recording
 };
+
+bool isRecording(const QString& file) {
+    return file.endsWith(".clothtake", Qt::CaseInsensitive);
+}
 
 QString readOutput(const QString& file, std::vector<Output>& outputs) {
     const auto format = exportFormat(file.toStdString());
     const auto path = OutputPath::parse(file);
-    if (!format)
-        return QStringLiteral("--output %1: files end in .obj, .ply, .csv, .pc2, .mdd or .glb").arg(file);
+    if (!format && !isRecording(file))
+        return QStringLiteral("--output %1: files end in .obj, .ply, .csv, .pc2, .mdd, .glb or .clothtake")
+            .arg(file);
     if (!path)
         return QStringLiteral("--output %1: at most one %d or %04d, and %% for a percent sign").arg(file);
-    if (path->isSequence() && holdsAllFrames(*format))
+    if (path->isSequence() && (!format || holdsAllFrames(*format)))
         return QStringLiteral("--output %1: such a file holds all frames; leave out %d or %04d").arg(file);
-    outputs.push_back({*path, *format});
+    outputs.push_back({*path, format});
     return {};
 }
 
@@ -41,23 +49,27 @@ QString fileOf(const QString& path) {
     return QDir::cleanPath(QFileInfo(path).absoluteFilePath());
 }
 
-FrameWriters makeWriters(const std::vector<Output>& outputs, const Placement& placement) {
+FrameWriters makeWriters(const std::vector<Output>& outputs, const Placement& placement, double error) {
     QSet<QString> written;
     for (const Output& output : outputs)
         if (!output.path.isSequence())
             written.insert(fileOf(output.path.forFrame(0)));
     FrameWriters writers;
     for (const Output& output : outputs) {
+        if (!output.format) {
+            writers.push_back(makeTakeWriter(output.path.forFrame(0).toStdString(), error, CLOTHLAB_VERSION));
+            continue;
+        }
         if (output.path.isSequence()) {
             const auto pathOf = [path = output.path](int frame) {
                 return path.forFrame(frame).toStdString();
             };
-            writers.push_back(makeSequenceWriter(output.format, pathOf, placement));
+            writers.push_back(makeSequenceWriter(*output.format, pathOf, placement));
             continue;
         }
         const std::string path = output.path.forFrame(0).toStdString();
         const QString beside = fileOf(QString::fromStdString(meshBesidePath(path)));
-        writers.push_back(makeFrameWriter(output.format, path, {placement, !written.contains(beside)}));
+        writers.push_back(makeFrameWriter(*output.format, path, {placement, !written.contains(beside)}));
         if (output.format == ExportFormat::Pc2 || output.format == ExportFormat::Mdd)
             written.insert(beside); // once is enough for two caches
     }
@@ -67,7 +79,7 @@ FrameWriters makeWriters(const std::vector<Output>& outputs, const Placement& pl
 } // namespace
 
 void addOutputOptions(QCommandLineParser& parser) {
-    for (const char* name : {"output", "axis", "scale", "measures"})
+    for (const char* name : {"output", "axis", "scale", "measures", "error"})
         parser.addOption({name, {}, "value"});
 }
 
@@ -79,7 +91,10 @@ QString readOutputs(const QCommandLineParser& parser, FrameWriters& writers) {
     Placement placement;
     if (QString error = readPlacement(parser, placement); !error.isEmpty())
         return error;
-    writers = makeWriters(outputs, placement);
+    double greatestError = kDefaultError;
+    if (QString error = readNumber(parser, "error", 0, kGreatestError, greatestError); !error.isEmpty())
+        return error;
+    writers = makeWriters(outputs, placement, greatestError);
     const QString measures = parser.value("measures");
     if (!parser.isSet("measures"))
         return {};

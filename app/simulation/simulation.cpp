@@ -141,8 +141,11 @@ void Simulation::onSceneChanged(SceneChange change) {
                     : tr("Back to %1.").arg(QString::fromStdString(take->name())));
         showOtherTake();
     } else if (effect == Recording::Effect::Staleness) {
-        if (!m_playing && m_pending && m_pending->regained < m_recording.lastFrame())
-            dropPending(); // it would follow a stale frame
+        if ((isSimulating() || m_ready) && m_follows != m_recording.endOfRun()) {
+            dropPending(); // it would follow another frame than the run goes on from now
+            if (m_playing)
+                m_clock.start(0);
+        }
         emit recordingChanged();
     }
 }
@@ -198,7 +201,7 @@ std::size_t Simulation::bytesInMemory() const {
 // Frames that wait to be packed are there for a moment only.
 bool Simulation::isFull() {
     m_recording.trim(m_budget / 2);
-    return bytesInMemory() > m_budget;
+    return bytesInMemory() > m_budget + m_recorder.bytesWaiting();
 }
 
 void Simulation::requestFrame() {
@@ -251,6 +254,8 @@ void Simulation::request(int regained, bool newFrame) {
     if (m_pending)
         m_worker.cancel();
     request.ticket = ++m_lastTicket;
+    if (newFrame)
+        m_follows = regained;
     m_pending = {request.ticket, m_recording.take(), regained, newFrame};
     m_worker.request(std::move(request));
 }

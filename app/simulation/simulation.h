@@ -153,6 +153,7 @@ private:
     std::optional<Pending> m_pending;
     std::uint64_t m_lastTicket = 0;
     FramePointer m_ready; // computed ahead; recorded once it is due
+    int m_follows = 0;    // the frame that this, or the new one under way, follows
     QTimer m_clock;       // runs until the next frame is due
     QElapsedTimer m_sinceBegin;
     Playback m_playback;

@@ -13,13 +13,13 @@ namespace clothlab {
 // alone: two before the first, and after the last up to a multiple of kLanes and one more. Whole rows lie
 // before row 0 and after the last. All of these hold finite numbers that no spring joins.
 struct RowLayout {
-    static constexpr int kLanes = 4; // doubles in the widest vector in use
+    static constexpr int kLanes = 8; // doubles in the widest vector in use
     static constexpr int kRowsBefore = 2;
     static constexpr int kRowsAfter = 3;
 
     int width = 0;
     int height = 0;
-    int stride = 0; // an odd multiple of kLanes
+    int stride = 0; // an odd multiple of four
 
     RowLayout() = default;
     explicit RowLayout(const Grid& grid)
@@ -27,7 +27,7 @@ struct RowLayout {
 
     // The next length from which arrays or rows that follow each other come to lie all over a page: loads and
     // stores at the same place of different pages hold each other up.
-    static constexpr int spread(int length) { return (length + 3) / 8 * 8 + kLanes; }
+    static constexpr int spread(int length) { return (length + 3) / 8 * 8 + 4; }
 
     int slot(int x, int y) const { return y * stride + x; }
     int slotCount() const { return height * stride; } // of the points and what is around them

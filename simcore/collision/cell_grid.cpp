@@ -22,6 +22,10 @@ std::int64_t CellGrid::coordinate(int axis, double value) const {
     return static_cast<std::int64_t>(std::clamp(cells, 0.0, 1e15));
 }
 
+std::int64_t CellGrid::mostCells() const {
+    return 2 * std::int64_t(m_layout.width) * m_layout.height + 64;
+}
+
 // As large as the sheet, so that no two cells share a place, but of no more cells than a few for each point.
 void CellGrid::chooseSize(ConstPointRows position) {
     const std::array<const double*, 3> coordinates{position.x, position.y, position.z};
@@ -36,8 +40,7 @@ void CellGrid::chooseSize(ConstPointRows position) {
         const double cells = std::clamp((highest - lowest) / m_cellSize + 1, 1.0, 1e6);
         m_size[axis] = std::int64_t(std::bit_ceil(std::uint64_t(cells)));
     }
-    const std::int64_t most = 4 * std::int64_t(m_layout.width) * m_layout.height + 64;
-    while (m_size[0] * m_size[1] * m_size[2] > most)
+    while (m_size[0] * m_size[1] * m_size[2] > mostCells())
         *std::max_element(m_size.begin(), m_size.end()) /= 2;
 }
 
@@ -47,6 +50,7 @@ void CellGrid::sort(ConstPointRows position, const RowLayout& layout, double cel
     m_cellSize = cellSize;
     chooseSize(position);
     const auto n = std::size_t(layout.width) * std::size_t(layout.height);
+    m_begin.reserve(std::size_t(mostCells()) + 1);
     m_begin.assign(std::size_t(m_size[0] * m_size[1] * m_size[2]) + 1, 0);
     for (std::vector<double>* sorted : {&m_x, &m_y, &m_z})
         sorted->resize(n);
@@ -84,8 +88,23 @@ CellGrid::CellRange CellGrid::cellsAround(int axis, const double* coordinates, i
     return {range.first, std::min(range.last, range.first + m_size[std::size_t(axis)] - 1)};
 }
 
+// The points of a cell are in ascending order.
+void CellGrid::start(Search& search, int y) const {
+    search.runs.reserve(256); // more than a block of any sheet that holds together is near
+    search.begin.reserve(m_begin.capacity());
+    search.begin = m_begin;
+    for (std::size_t point = 0; point < std::size_t(y) * std::size_t(m_layout.width); ++point)
+        ++search.begin[m_cell[point]];
+}
+
+void CellGrid::pass(int x, int y, Search& search) const {
+    const std::size_t row = std::size_t(y) * std::size_t(m_layout.width);
+    for (int end = std::min(x + RowLayout::kLanes, m_layout.width); x < end; ++x)
+        ++search.begin[m_cell[row + std::size_t(x)]];
+}
+
 std::size_t CellGrid::near(const Kernels& kernels, ConstPointRows position, int x, int y, double reach,
-                           std::uint32_t least, Search& search) const {
+                           Search& search) const {
     const int slot = m_layout.slot(x, y);
     const int count = std::min(RowLayout::kLanes, m_layout.width - x);
     const CellRange cx = cellsAround(0, position.x + slot, count, reach);
@@ -96,11 +115,14 @@ std::size_t CellGrid::near(const Kernels& kernels, ConstPointRows position, int 
     std::size_t candidates = 0;
     search.runs.clear();
     const auto add = [&](std::int64_t row, std::int64_t from, std::int64_t to) {
-        const PlaceRun run{m_begin[std::size_t(row + from)], m_begin[std::size_t(row + to + 1)]};
-        if (run.begin == run.end)
-            return;
-        candidates += run.end - run.begin;
-        search.runs.push_back(run);
+        for (auto cell = std::size_t(row + from); cell <= std::size_t(row + to); ++cell) {
+            const PlaceRun run{search.begin[cell], m_begin[cell + 1]};
+            candidates += run.end - run.begin;
+            if (!search.runs.empty() && search.runs.back().end == run.begin)
+                search.runs.back().end = run.end;
+            else if (run.begin != run.end)
+                search.runs.push_back(run);
+        }
     };
     for (std::int64_t z = cz.first; z <= cz.last; ++z)
         for (std::int64_t row = cy.first; row <= cy.last; ++row) {
@@ -116,7 +138,7 @@ std::size_t CellGrid::near(const Kernels& kernels, ConstPointRows position, int 
     if (search.found.size() < candidates + 1)
         search.found.resize(2 * candidates + 1);
     const SortedPlaces places{m_x.data(), m_y.data(), m_z.data(), m_slot.data()};
-    return kernels.nearBlock(position, slot, reach, least, places, search.runs.data(), search.runs.size(),
+    return kernels.nearBlock(position, slot, reach, places, search.runs.data(), search.runs.size(),
                              search.found.data());
 }
 

@@ -17,6 +17,7 @@ class CellGrid {
 public:
     // What a search works with; one for each thread.
     struct Search {
+        std::vector<std::uint32_t> begin; // of each cell, less the points that were passed over
         std::vector<PlaceRun> runs;
         std::vector<NearBlock> found;
     };
@@ -24,11 +25,17 @@ public:
     // Sorts all points of the layout. Places must be finite.
     void sort(ConstPointRows position, const RowLayout& layout, double cellSize);
 
-    // All points nearer than reach to any of the points x … x + kLanes - 1 of row y, in no order: the first
+    // Begins to search all points, or those of the rows from y on.
+    void start(Search& search, int y = 0) const;
+
+    // Those points nearer than reach to any of the points x … x + kLanes - 1 of row y, in no order: the first
     // of search.found, as many as are returned. Lanes beyond the end of the row mean nothing. The places must
     // be those that were sorted.
     std::size_t near(const Kernels& kernels, ConstPointRows position, int x, int y, double reach,
-                     std::uint32_t least, Search& search) const;
+                     Search& search) const;
+
+    // Passes over the points x … x + kLanes - 1 of row y from now on. All before them must have been.
+    void pass(int x, int y, Search& search) const;
 
     std::size_t bytes() const;
 
@@ -37,6 +44,7 @@ private:
         std::int64_t first, last;
     };
     std::int64_t coordinate(int axis, double value) const;
+    std::int64_t mostCells() const;
     void chooseSize(ConstPointRows position);
     CellRange cellsAround(int axis, const double* coordinates, int count, double reach) const;
 

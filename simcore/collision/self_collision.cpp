@@ -12,9 +12,13 @@ constexpr double kLeastSkin = 0.4;
 constexpr double kGreatestSkin = 0.9;
 constexpr int kShortLife = 12; // steps
 constexpr int kLongLife = 40;
+// Of the cells, as a share of the reach in which neighbours are listed: large ones hold more points that are
+// out of reach, but there are fewer to go through. A crowded sheet fills any.
+constexpr double kCellSize = 2;
+constexpr double kCellSizeCrowded = 1;
 // On average a block of points. A sheet that crowds more is looked through without lists, which would take
 // too much memory.
-constexpr std::size_t kMostListed = 128;
+constexpr std::size_t kMostListed = 192;
 
 } // namespace
 
@@ -100,7 +104,8 @@ void SelfCollision::sortIntoCells(ConstPointRows position) {
         m_skin = std::min(m_skin * 1.25, kGreatestSkin);
     else if (m_bands.front().age > kLongLife)
         m_skin = std::max(m_skin * 0.8, kLeastSkin);
-    m_cells.sort(position, m_layout, (1 + m_skin) * m_distance);
+    const double cellSize = crowded() ? kCellSizeCrowded : kCellSize; // as when lists were made last
+    m_cells.sort(position, m_layout, cellSize * (1 + m_skin) * m_distance);
 }
 
 void SelfCollision::list(int band, ConstPointRows position) {
@@ -111,6 +116,7 @@ void SelfCollision::list(int band, ConstPointRows position) {
     b.age = 0;
     const std::size_t most = kMostListed * b.listEnd.size();
     std::size_t count = 0, block = 0, longest = 0;
+    m_cells.start(b.search, b.rows.begin);
     for (int y = b.rows.begin; y < b.rows.end && !b.crowded; ++y) {
         for (int x = 0; x < m_layout.width; x += RowLayout::kLanes) {
             const std::size_t end = listBlock(b, position, x, y, count);
@@ -134,7 +140,8 @@ std::size_t SelfCollision::listBlock(Band& band, ConstPointRows position, int x,
                                      std::size_t at) const {
     const auto first = std::uint32_t(m_layout.slot(x, y));
     const std::size_t found =
-        m_cells.near(*m_kernels, position, x, y, (1 + band.skin) * m_distance, first, band.search);
+        m_cells.near(*m_kernels, position, x, y, (1 + band.skin) * m_distance, band.search);
+    m_cells.pass(x, y, band.search);
     if (band.listed.size() < at + found + 1)
         band.listed.resize(2 * (at + found + 1));
     const unsigned points = (1U << unsigned(std::min(RowLayout::kLanes, m_layout.width - x))) - 1;
@@ -179,20 +186,25 @@ bool SelfCollision::owns(const Band& band, std::uint32_t slot) const {
     return int(slot) >= m_layout.slot(0, band.rows.begin) && int(slot) < m_layout.slot(0, band.rows.end);
 }
 
-void SelfCollision::add(ConstPointRows position, std::uint32_t point, std::uint32_t other) {
-    const double dx = position.x[point] - position.x[other];
-    const double dy = position.y[point] - position.y[other];
-    const double dz = position.z[point] - position.z[other];
+// What two points that are too near ask of each other differs in sign only, to the last bit.
+void SelfCollision::add(ConstPointRows position, std::uint32_t a, std::uint32_t b, bool toA, bool toB) {
+    const double dx = position.x[a] - position.x[b];
+    const double dy = position.y[a] - position.y[b];
+    const double dz = position.z[a] - position.z[b];
     const double lengthSquared = dx * dx + dy * dy + dz * dz;
     if (lengthSquared <= 0)
         return;
     const double length = std::sqrt(lengthSquared);
     const double scale = (m_distance - length) / length;
-    Push& push = m_push[point];
-    push.x += scale * dx;
-    push.y += scale * dy;
-    push.z += scale * dz;
-    push.neighbours += 1;
+    const Push asked{scale * dx, scale * dy, scale * dz, 1};
+    if (toA) {
+        Push& push = m_push[a];
+        push = {push.x + asked.x, push.y + asked.y, push.z + asked.z, push.neighbours + 1};
+    }
+    if (toB) {
+        Push& push = m_push[b];
+        push = {push.x - asked.x, push.y - asked.y, push.z - asked.z, push.neighbours + 1};
+    }
 }
 
 void SelfCollision::addUp(int band, ConstPointRows position) {
@@ -202,10 +214,10 @@ void SelfCollision::addUp(int band, ConstPointRows position) {
         return;
     }
     const auto take = [&](const SlotPair& pair) {
-        if (owns(mine, pair.a))
-            add(position, pair.a, pair.b);
-        if (owns(mine, pair.b))
-            add(position, pair.b, pair.a);
+        const bool toA = owns(mine, pair.a);
+        const bool toB = owns(mine, pair.b);
+        if (toA || toB)
+            add(position, pair.a, pair.b, toA, toB);
     };
     const auto key = [](const SlotPair& pair) { return std::uint64_t(pair.a) << 32U | pair.b; };
     for (const Band& from : m_bands) { // both kinds of pairs, merged
@@ -222,9 +234,10 @@ void SelfCollision::addUp(int band, ConstPointRows position) {
 
 void SelfCollision::addUpCrowded(Band& band, ConstPointRows position) {
     std::vector<std::uint32_t>& near = band.neighbours;
+    m_cells.start(band.search);
     for (int y = band.rows.begin; y < band.rows.end; ++y)
         for (int x = 0; x < m_layout.width; x += RowLayout::kLanes) {
-            const std::size_t found = m_cells.near(*m_kernels, position, x, y, m_distance, 0, band.search);
+            const std::size_t found = m_cells.near(*m_kernels, position, x, y, m_distance, band.search);
             for (int lane = 0; lane < std::min(RowLayout::kLanes, m_layout.width - x); ++lane) {
                 const auto point = std::uint32_t(m_layout.slot(x + lane, y));
                 near.clear();
@@ -233,7 +246,7 @@ void SelfCollision::addUpCrowded(Band& band, ConstPointRows position) {
                         near.push_back(band.search.found[n].slot);
                 std::ranges::sort(near);
                 for (const std::uint32_t other : near)
-                    add(position, point, other); // itself is at the same place
+                    add(position, point, other, true, false); // itself is at the same place
             }
         }
 }
@@ -249,9 +262,17 @@ void SelfCollision::move(std::uint32_t slot, PointRows position, double share) {
     push = Push{};
 }
 
+// So many that going through all points is faster than through the pairs' ends.
+bool SelfCollision::manyPairs() const {
+    std::size_t pairs = 0;
+    for (const Band& band : m_bands)
+        pairs += band.adjacent.count + band.apart.count;
+    return crowded() || pairs > m_push.size() / 4;
+}
+
 void SelfCollision::apply(int band, PointRows position, double share) {
     const Band& mine = m_bands[std::size_t(band)];
-    if (crowded()) {
+    if (manyPairs()) {
         for (int slot = m_layout.slot(0, mine.rows.begin); slot < m_layout.slot(0, mine.rows.end); ++slot)
             move(std::uint32_t(slot), position, share);
         return;
@@ -267,7 +288,8 @@ void SelfCollision::apply(int band, PointRows position, double share) {
 std::size_t SelfCollision::bytes() const {
     std::size_t sum = m_arrays.bytes() + m_push.size() * sizeof(Push) + m_cells.bytes();
     for (const Band& band : m_bands)
-        sum += sizeof band + sizeof(NearBlock) * (band.listed.capacity() + band.search.found.capacity()) +
+        sum += sizeof band + sizeof(std::uint32_t) * band.search.begin.capacity() +
+               sizeof(NearBlock) * (band.listed.capacity() + band.search.found.capacity()) +
                sizeof(SlotPair) * (band.adjacent.pairs.size() + band.apart.pairs.size());
     return sum;
 }

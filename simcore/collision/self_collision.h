@@ -83,7 +83,8 @@ private:
     bool crowded() const;
     std::size_t listBlock(Band& band, ConstPointRows position, int x, int y, std::size_t at) const;
     bool owns(const Band& band, std::uint32_t slot) const;
-    void add(ConstPointRows position, std::uint32_t point, std::uint32_t other);
+    void add(ConstPointRows position, std::uint32_t a, std::uint32_t b, bool toA, bool toB);
+    bool manyPairs() const;
     void addUpCrowded(Band& band, ConstPointRows position);
     void move(std::uint32_t slot, PointRows position, double share);
 

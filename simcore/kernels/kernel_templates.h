@@ -250,8 +250,7 @@ private:
             if (L::bits(tooLong) == 0)
                 continue;
             if constexpr (chained)
-                for (int n = 0; n < L::kCount; ++n)
-                    corrections += limitSpring(data, rest[x + n], a + n, a + n + offset);
+                corrections += limitChain(data, rest + x, L::bits(tooLong), a, offset);
             else
                 corrections += limitBlock(data, pa, pb, limit, tooLong, a, a + offset);
         }
@@ -271,6 +270,21 @@ private:
         Row::choose(moves, pa + excess * shareOfA, pa).store(data.position, a);
         Row::choose(moves, pb - excess * (L::all(1) - shareOfA), pb).store(data.position, b);
         return __builtin_popcount(L::bits(moves));
+    }
+
+    // Springs that may end where another of them starts: those that are too long, as bits, and those that
+    // become so when one before them is shortened.
+    static int limitChain(const StepData& data, const double* rest, unsigned tooLong, int a, int offset) {
+        constexpr unsigned lanes = (1U << unsigned(L::kCount)) - 1;
+        int corrections = 0;
+        for (; tooLong != 0; tooLong &= tooLong - 1) {
+            const int n = firstLane(tooLong);
+            if (limitSpring(data, rest[n], a + n, a + n + offset) == 0)
+                continue;
+            ++corrections;
+            tooLong |= (1U << unsigned(n - offset)) & lanes; // the one that ends where this one starts
+        }
+        return corrections;
     }
 
     // One spring of the strain limit. 1 if it was too long and an end of it may move.

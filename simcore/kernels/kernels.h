@@ -11,7 +11,7 @@
 
 namespace clothlab {
 
-enum class InstructionSet { Scalar, Sse2, Avx2 };
+enum class InstructionSet { Scalar, Sse2, Avx2, Avx512 };
 std::string_view name(InstructionSet set); // "AVX2"
 bool isSupported(InstructionSet set);      // by this machine and this build
 InstructionSet bestInstructionSet();
@@ -116,11 +116,10 @@ struct Kernels {
     // rows. In order. Room in `scratch` for the longest list of a block.
     std::size_t (*listedPairs)(const RowLayout& layout, RowRange rows, const BlockLists& lists,
                                ConstPointRows position, double distance, NearBlock* scratch, SlotPair* pairs);
-    // Of the places of the runs, those of slots from `least` on and nearer than reach to a point of the block
-    // that begins at `slot`. Room for all of them in `found`. Returns how many.
-    std::size_t (*nearBlock)(ConstPointRows position, int slot, double reach, std::uint32_t least,
-                             const SortedPlaces& places, const PlaceRun* runs, std::size_t runCount,
-                             NearBlock* found);
+    // Of the places of the runs, those nearer than reach to a point of the block that begins at `slot`. Room
+    // for all of them in `found`. Returns how many.
+    std::size_t (*nearBlock)(ConstPointRows position, int slot, double reach, const SortedPlaces& places,
+                             const PlaceRun* runs, std::size_t runCount, NearBlock* found);
 };
 
 const Kernels& kernelsFor(InstructionSet set); // precondition: isSupported(set)

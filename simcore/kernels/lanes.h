@@ -1,5 +1,5 @@
-// The vector instructions that the step is written in: one double, two (SSE2) or four (AVX2) at a time. Every
-// operation rounds as IEEE 754 says, so all give the same bits.
+// The vector instructions that the step is written in: one double, two (SSE2), four (AVX2) or eight (AVX-512)
+// at a time. Every operation rounds as IEEE 754 says, so all give the same bits.
 //
 // A kernel that is compiled for one instruction set must call nothing that is compiled for all: an inline
 // function of the standard library that used AVX2 could be the one that the linker keeps for everyone. Hence
@@ -83,6 +83,33 @@ struct Avx2Lanes {
         return _mm256_castsi256_pd(_mm256_cmpgt_epi64(wide, _mm256_setzero_si256()));
     }
     static unsigned bits(Mask mask) { return unsigned(_mm256_movemask_pd(mask)); }
+};
+
+#endif
+
+#if defined(__AVX512F__)
+
+struct Avx512Lanes {
+    static constexpr int kCount = 8;
+    using Vector = __m512d;
+    using Mask = __mmask8;
+    static Vector load(const double* from) { return _mm512_loadu_pd(from); }
+    static void store(double* to, Vector v) { _mm512_storeu_pd(to, v); }
+    static Vector all(double value) { return _mm512_set1_pd(value); }
+    static Vector squareRoot(Vector v) { return _mm512_sqrt_pd(v); }
+    static Mask less(Vector a, Vector b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
+    static Mask both(Mask a, Mask b) { return Mask(a & b); }
+    static Mask butNot(Mask a, Mask b) { return Mask(a & ~b); }
+    static Mask either(Mask a, Mask b) { return Mask(a | b); }
+    static Vector choose(Mask mask, Vector yes, Vector no) { return _mm512_mask_blend_pd(mask, no, yes); }
+    static Vector orZero(Mask mask, Vector v) { return _mm512_maskz_mov_pd(mask, v); }
+    static Mask fromBytes(const std::uint8_t* bytes) {
+        std::int64_t eight = 0;
+        std::memcpy(&eight, bytes, sizeof eight);
+        const __m512i wide = _mm512_maskz_cvtepu8_epi64(0xff, _mm_cvtsi64_si128(eight));
+        return _mm512_test_epi64_mask(wide, wide);
+    }
+    static unsigned bits(Mask mask) { return mask; }
 };
 
 #endif

@@ -13,7 +13,7 @@ class NeighbourTemplates {
     using Row = VectorRow<L>;
 
     static constexpr int kVectors = RowLayout::kLanes / L::kCount; // of a block
-    static constexpr double kLaneNumbers[RowLayout::kLanes] = {0, 1, 2, 3};
+    static constexpr double kLaneNumbers[RowLayout::kLanes] = {0, 1, 2, 3, 4, 5, 6, 7};
 
 public:
     static double farthestSquared(const RowLayout& layout, RowRange rows, ConstPointRows position,
@@ -50,7 +50,7 @@ public:
                 unsigned all = 0; // bit 4 * lane + n: with the nth offset
                 for (int n = 0; n < 4; ++n) {
                     const M near = isNear(from, Row::load(position, a + offsets[n]), distanceSquared);
-                    all |= kFourApart[L::bits(near)] << unsigned(n);
+                    all |= fourApart(L::bits(near)) << unsigned(n);
                 }
                 if (all != 0)
                     for (all &= adjacencyInSheet(layout, x, y); all != 0; all &= all - 1) {
@@ -94,9 +94,8 @@ public:
         return count;
     }
 
-    static std::size_t nearBlock(ConstPointRows position, int slot, double reach, std::uint32_t least,
-                                 const SortedPlaces& places, const PlaceRun* runs, std::size_t runCount,
-                                 NearBlock* found) {
+    static std::size_t nearBlock(ConstPointRows position, int slot, double reach, const SortedPlaces& places,
+                                 const PlaceRun* runs, std::size_t runCount, NearBlock* found) {
         const V reachSquared = L::all(reach * reach);
         Row block[kVectors];
         for (int v = 0; v < kVectors; ++v)
@@ -110,7 +109,7 @@ public:
                     lanes |= L::bits(L::less((block[v] - place).lengthSquared(), reachSquared))
                              << unsigned(v * L::kCount);
                 found[count] = {places.slot[k], lanes}; // without a branch that nothing could predict
-                count += unsigned(lanes != 0) & unsigned(places.slot[k] >= least);
+                count += unsigned(lanes != 0);
             }
         return count;
     }
@@ -141,6 +140,9 @@ private:
     static constexpr unsigned kFourApart[16] = {0x0000, 0x0001, 0x0010, 0x0011, 0x0100, 0x0101,
                                                 0x0110, 0x0111, 0x1000, 0x1001, 0x1010, 0x1011,
                                                 0x1100, 0x1101, 0x1110, 0x1111};
+    static unsigned fourApart(unsigned bits) {
+        return kFourApart[bits & 15U] | kFourApart[bits >> 4U] << 16U;
+    }
     // The bits of adjacentPairs that stand for two points of the sheet.
     static unsigned adjacencyInSheet(const RowLayout& layout, int x, int y) {
         unsigned bits = 0;

@@ -158,7 +158,7 @@ void registerPhases() {
          {"forces and Verlet", "strain limit", "colliders", "adjacent pairs", "motion since listing"})
         for (const int size : {50, 256, 1024})
             for (const InstructionSet set :
-                 {InstructionSet::Scalar, InstructionSet::Sse2, InstructionSet::Avx2})
+                 {InstructionSet::Scalar, InstructionSet::Sse2, InstructionSet::Avx2, InstructionSet::Avx512})
                 if (isSupported(set))
                     benchmark::RegisterBenchmark(
                         ("phase/" + std::string(phase) + "/" + std::to_string(size) + "/" +

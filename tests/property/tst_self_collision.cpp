@@ -119,10 +119,11 @@ bool sameBits(const PointArray& a, const PointArray& b) {
     return sameBits(a.x, b.x) && sameBits(a.y, b.y) && sameBits(a.z, b.z);
 }
 
-const CloudLayout kLayouts[] = {{InstructionSet::Scalar, 0, 1}, {InstructionSet::Sse2, 0, 1},
-                                {InstructionSet::Avx2, 2, 1},   {InstructionSet::Avx2, 5, 3},
-                                {InstructionSet::Sse2, 3, 4},   {InstructionSet::Scalar, 7, 2},
-                                {InstructionSet::Avx2, 41, 8},  {InstructionSet::Avx2, 1, 2}};
+const CloudLayout kLayouts[] = {
+    {InstructionSet::Scalar, 0, 1}, {InstructionSet::Sse2, 0, 1},    {InstructionSet::Avx2, 2, 1},
+    {InstructionSet::Avx2, 5, 3},   {InstructionSet::Sse2, 3, 4},    {InstructionSet::Scalar, 7, 2},
+    {InstructionSet::Avx2, 41, 8},  {InstructionSet::Avx2, 1, 2},    {InstructionSet::Avx512, 0, 1},
+    {InstructionSet::Avx512, 7, 3}, {InstructionSet::Avx512, 41, 2}, {InstructionSet::Avx512, 1, 2}};
 
 // Both answers, into buffers that held something else before.
 struct Answers {

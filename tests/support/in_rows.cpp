@@ -19,7 +19,8 @@ std::vector<std::uint8_t> pinnedSlots(const RowLayout& layout, const std::vector
 
 std::vector<InstructionSet> supportedInstructionSets() {
     std::vector<InstructionSet> sets;
-    for (const InstructionSet set : {InstructionSet::Scalar, InstructionSet::Sse2, InstructionSet::Avx2})
+    for (const InstructionSet set :
+         {InstructionSet::Scalar, InstructionSet::Sse2, InstructionSet::Avx2, InstructionSet::Avx512})
         if (isSupported(set))
             sets.push_back(set);
     return sets;

@@ -5,6 +5,7 @@
 #include "tests/support/tiny_scene.h"
 
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <random>
@@ -14,12 +15,15 @@ using namespace clothlab;
 namespace {
 
 struct Run {
+    QTemporaryDir folder;
     Document document;
     Simulation simulation;
 
     // Small budgets, so that most frames are packed ones.
     explicit Run(std::size_t budget)
-        : simulation((document.setScene(test::tinyScene(), {}), document), nullptr, budget) {}
+        : simulation((document.setScene(test::tinyScene(), {}), document), nullptr, budget) {
+        simulation.setJournals([this] { return folder.filePath("journal.clothtake"); });
+    }
 
     test::PlainTakes::User user() const {
         return {document.scene().cloth.ks, document.scene().cloth.numHeightPoints};
@@ -28,9 +32,10 @@ struct Run {
         QVERIFY(!document.setParameter(*findParameter(parameter), value));
     }
     void record() {
-        QSignalSpy changed(&simulation, &Simulation::recordingChanged);
+        QSignalSpy shown(&simulation, &Simulation::frameShown);
         simulation.simulateFrame();
-        QTRY_VERIFY_WITH_TIMEOUT(!simulation.isSimulating(), 60'000);
+        while (simulation.isSimulating())
+            QVERIFY(shown.wait(60'000));
     }
 };
 
