@@ -89,6 +89,7 @@ void FramePreview::appear() {
         if (m_kept.size() > kMostKept)
             m_kept.pop_back();
     }
+    m_shown = m_frame;
     const QSize words = fontMetrics().size(0, m_words);
     resize(std::max(kPicture.width(), words.width()) + 2 * kPadding,
            kPicture.height() + words.height() + 3 * kPadding);

@@ -27,7 +27,7 @@ public:
     void ask(int frame, const QString& words, QPoint place); // on the screen
     void dismiss();
 
-    int shownFrame() const { return isVisible() ? m_frame : -1; }
+    int shownFrame() const { return isVisible() ? m_shown : -1; }
     const QImage& picture() const { return m_picture; }
 
 protected:
@@ -54,7 +54,8 @@ private:
     Simulation& m_simulation;
     std::function<Camera()> m_camera;
     QTimer m_delay;
-    int m_frame = -1;
+    int m_frame = -1; // asked for
+    int m_shown = -1;
     QString m_words;
     QPoint m_place;
     QImage m_picture;

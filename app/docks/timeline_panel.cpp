@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace clothlab {
@@ -24,6 +25,14 @@ std::pair<QWidget*, QHBoxLayout*> makePart(int spacing) {
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(spacing);
     return {part, row};
+}
+
+// To as many digits as a field shows: what stands there may be typed again.
+double roundedUp(double seconds) {
+    if (!(seconds > 0))
+        return 0;
+    const double step = std::pow(10.0, std::floor(std::log10(seconds)) - 4);
+    return std::ceil(seconds / step - 1e-6) * step;
 }
 
 } // namespace
@@ -120,9 +129,8 @@ void TimelinePanel::showRecording() {
     const Recording& recording = m_simulation.recording();
     const int last = recording.lastFrame();
     m_frame->setRange(0, last);
-    const double frameSeconds = 1.0 / recording.scene()->simulation.framesPerSecond;
-    m_time->setSmallestStep(frameSeconds);
-    m_time->setRange(0, recording.frame(last).time + frameSeconds / 2); // what it shows is rounded
+    m_time->setSmallestStep(1.0 / recording.scene()->simulation.framesPerSecond);
+    m_time->setRange(0, roundedUp(recording.frame(last).time));
     m_last->setText(QStringLiteral("/ %1").arg(last));
     m_last->setMinimumWidth(fontMetrics().horizontalAdvance("/ 0000"));
     showState();

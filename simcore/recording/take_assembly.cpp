@@ -239,6 +239,10 @@ TakeFileContents TakeAssembly::finish(Diagnostics& diagnostics) {
     for (const TakeId id : m_order)
         keep(m_takes[id], contents);
     contents.meta = m_meta.value_or(TakeMeta());
+    if (const auto own = m_scenes.find(contents.meta.scene); own != m_scenes.end())
+        contents.scenes.insert(*own); // which may not have been run yet
+    else
+        contents.meta.scene = 0;
     checkMeta(contents);
     diagnostics.insert(diagnostics.end(), m_diagnostics.begin(), m_diagnostics.end());
     return contents;

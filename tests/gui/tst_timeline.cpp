@@ -427,7 +427,7 @@ void TestTimeline::aTypedTimeShowsTheNearestFrame() {
     QCOMPARE(timeline().timeField()->value(), 0.1);
     goTo("2");
     QCOMPARE(m_window->frame(), 9);
-    QVERIFY2(m_window->output().contains("from 0 to 0.50"), qPrintable(m_window->output()));
+    QVERIFY2(m_window->output().contains("from 0 s to 0.5 s"), qPrintable(m_window->output()));
 }
 
 void TestTimeline::thePlotKnowsEveryPackedFrame() {
