@@ -13,7 +13,7 @@ namespace clothlab {
 namespace {
 
 constexpr QSize kPicture{176, 110};
-constexpr int kPadding = 5;
+constexpr int kPadding = 6;
 constexpr std::size_t kMostKept = 16;
 
 } // namespace

@@ -20,6 +20,7 @@ namespace {
 constexpr int kShortest = 90;
 constexpr int kFramesAtOnce = 20'000; // of the plot, so that a long recording stops nothing
 constexpr double kReach = 6;          // pixels around what can be grabbed
+constexpr double kInward = 3;         // from the frame to the middle of a bracket
 
 } // namespace
 
@@ -36,17 +37,18 @@ Scrubber::Scrubber(Document& document, Simulation& simulation, QWidget* parent)
     connect(&simulation, &Simulation::takesChanged, this, &Scrubber::forgetPicture);
     connect(&simulation, &Simulation::frameShown, this, &Scrubber::readPlaying);
     connect(&simulation, &Simulation::playingChanged, this, &Scrubber::readPlaying);
+    connect(&simulation, &Simulation::playbackChanged, this, &Scrubber::readPlaying);
     connect(&simulation, &Simulation::marksChanged, this, qOverload<>(&QWidget::update));
     connect(&document, &Document::sceneChanged, this, &Scrubber::forgetPicture);
     readRecording();
 }
 
 QSize Scrubber::sizeHint() const {
-    return {400, 2 * fontMetrics().height() + 52};
+    return {400, 2 * fontMetrics().height() + 68};
 }
 
 QSize Scrubber::minimumSizeHint() const {
-    return {200, 2 * fontMetrics().height() + 38};
+    return {200, 2 * fontMetrics().height() + 56};
 }
 
 void Scrubber::setQuantity(PlotQuantity quantity) {
@@ -144,7 +146,9 @@ Scrubber::Hit Scrubber::hitAt(QPointF position) const {
     if (!marksRow().adjusted(-kReach, 0, kReach, 0).contains(position))
         return {};
     const TakeMarks& marks = m_simulation.marks();
-    const auto distance = [&](int frame) { return std::abs(positionOf(frame) - position.x()); };
+    const auto distance = [&](int frame, double inward = 0) {
+        return std::abs(positionOf(frame) + inward - position.x());
+    };
     Hit hit;
     double nearest = kReach;
     for (const Marker& marker : marks.markers)
@@ -154,11 +158,11 @@ Scrubber::Hit Scrubber::hitAt(QPointF position) const {
         }
     if (!marks.range)
         return hit;
-    if (marks.range->in > 0 && distance(marks.range->in) < nearest) {
-        nearest = distance(marks.range->in);
+    if (marks.range->in > 0 && distance(marks.range->in, kInward) < nearest) {
+        nearest = distance(marks.range->in, kInward);
         hit = {Handle::In, std::nullopt};
     }
-    if (marks.range->out != kOpenEnd && distance(marks.range->out) < nearest)
+    if (marks.range->out != kOpenEnd && distance(marks.range->out, -kInward) < nearest)
         hit = {Handle::Out, std::nullopt};
     return hit;
 }
@@ -339,7 +343,7 @@ void Scrubber::renameMarker(int frame) {
     m_nameField->setAccessibleName(tr("Name of the marker"));
     m_nameField->setMaxLength(60);
     const int width = fontMetrics().horizontalAdvance('x') * 22;
-    const int left = int(positionOf(frame));
+    const int left = int(positionOf(frame)) + 6;
     m_nameField->setGeometry(std::clamp(left, 0, std::max(0, this->width() - width)),
                              int(marksRow().top()) - 3, width, m_nameField->sizeHint().height());
     m_nameField->selectAll();

@@ -90,7 +90,7 @@ QWidget* TimelinePanel::makeFields() {
     m_time->setAccessibleName(tr("Time"));
     m_time->setToolTip(
         tr("Simulated time of the frame that is shown, in seconds. Type one to go to the nearest frame."));
-    m_time->setFixedWidth(fontMetrics().horizontalAdvance("0000.00000 s"));
+    m_time->setFixedWidth(fontMetrics().horizontalAdvance("0000.000000 s"));
     m_frame->setSmallestStep(1);
     for (const char* text : {"● Live", "Backward"}) // it pushes nothing around
         m_state->setMinimumWidth(

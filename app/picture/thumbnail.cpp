@@ -66,7 +66,7 @@ private:
         const QVector3D toCamera = m_toCamera.isNull() ? (m_eye - a.place).normalized() : m_toCamera;
         const float facing = QVector3D::dotProduct(normal, toCamera);
         const QColor& color = facing >= 0 ? front : back;
-        const float light = 0.3F + 0.7F * std::abs(facing);
+        const float light = 0.4F + 0.6F * std::abs(facing);
         const auto part = [light](int value) { return std::clamp(int(float(value) * light), 0, 255); };
         return qRgb(part(color.red()), part(color.green()), part(color.blue()));
     }

@@ -52,7 +52,7 @@ public:
     const Scene& shownScene() const { return m_recording.shownScene(); }
     bool isPlaying() const { return m_playing; }
     bool isPlayingBackward() const { return m_playing && m_playback.direction() == Direction::Backward; }
-    bool isRecordingLive() const; // playing, and what is shown next is new
+    bool isRecordingLive() const { return m_playing && m_live; } // what is shown next is new
     const PlaybackSettings& playback() const { return m_playback.settings(); }
     const TakeMarks& marks() const { return m_recording.take()->marks(); } // of the open take
     bool isSimulating() const { return m_pending && m_pending->newFrame; } // a new frame is under way
@@ -90,8 +90,8 @@ signals:
     void recordingChanged(); // the frames of the open take, which are stale, or how they are kept
     void takesChanged();     // which there are, their names, or which is open
     void playingChanged(bool playing);
-    void playbackChanged();
-    void marksChanged(); // of any take
+    void playbackChanged(); // playback() or isRecordingLive()
+    void marksChanged();    // of any take
     void blowUpChanged();
     void notice(const QString& text); // something the user should know
 
@@ -157,6 +157,7 @@ private:
     QTimer m_clock;       // runs until the next frame is due
     QElapsedTimer m_sinceBegin;
     Playback m_playback;
+    bool m_live = false; // as it last was while playing
 
     std::function<QString()> m_newJournal;
     int m_session = 0;

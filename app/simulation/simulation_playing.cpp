@@ -19,6 +19,7 @@ void Simulation::playBackward() {
 
 void Simulation::begin(Direction direction) {
     dropPending();
+    m_live = false;
     const std::optional<int> from = m_playback.begin(direction, currentFrame(), played(), milliseconds());
     if (!from) {
         emit notice(m_recording.lastFrame() == 0
@@ -42,10 +43,6 @@ void Simulation::setPlayback(const PlaybackSettings& settings) {
         advance();
 }
 
-bool Simulation::isRecordingLive() const {
-    return m_playing && m_playback.records() && currentFrame() >= m_recording.endOfRun();
-}
-
 double Simulation::milliseconds() const {
     return double(m_sinceBegin.nsecsElapsed()) * 1e-6;
 }
@@ -64,8 +61,11 @@ void Simulation::advance() {
     if (m_ready && m_playback.isDue(now))
         record(std::exchange(m_ready, nullptr));
     const Playback::Step step = m_playback.step(currentFrame(), played(), now);
+    const bool turned = std::exchange(m_live, step.records) != step.records;
     if (step.frame != currentFrame())
         show(step.frame);
+    if (turned)
+        emit playbackChanged();
     if (!m_playing)
         return; // who saw it paused
     if (step.ended) {

@@ -1,6 +1,7 @@
 // Speeds, loops, in and out points, markers, plot and pictures of the timeline, by keys and mouse.
 #include "app/docks/frame_preview.h"
 #include "app/picture/thumbnail.h"
+#include "app/widgets/theme.h"
 #include "tests/gui/test_window.h"
 
 #include <QComboBox>
@@ -43,6 +44,8 @@ private slots:
     void aTypedTimeShowsTheNearestFrame();
     void thePlotKnowsEveryPackedFrame();
     void aPictureAppearsWhereTheMouseRests();
+    void theBarSaysWhatIsKeptOfFrames();
+    void whatIsOnDiskOnlyIsSaid();
     void paintingCostsTheSameForManyFrames();
     void nothingIsCutOffInHalfAWindow();
 
@@ -71,6 +74,11 @@ private:
     void moveMouse(QPoint at) {
         QTest::mouseEvent(QTest::MouseMove, scrubber().window()->windowHandle(), Qt::NoButton, {},
                           scrubber().mapTo(scrubber().window(), at));
+    }
+
+    // Of the bar, at that frame.
+    static QColor colorAt(Scrubber& bar, double frame) {
+        return bar.grab().toImage().pixelColor(qRound(bar.positionOf(frame)), bar.height() - 10);
     }
 
     std::unique_ptr<TestWindow> m_window;
@@ -380,9 +388,8 @@ void TestTimeline::marksAreSavedAndOpened() {
     const TakeMarks before = simulation().marks();
     const QString path = m_window->path("marks.clothtake");
     bool written = false;
-    simulation().gatherContents([&](const TakeFileContents& contents) {
-        written = !writeTakeFile(path.toStdString(), contents);
-    });
+    simulation().gatherContents(
+        [&](const TakeFileContents& contents) { written = !writeTakeFile(path.toStdString(), contents); });
     TRY_VERIFY(written);
     m_window->document().newScene();
     QVERIFY(simulation().marks() == TakeMarks());
@@ -483,6 +490,51 @@ void TestTimeline::aPictureAppearsWhereTheMouseRests() {
     moveMouse(QPoint(onBar(20).x(), 2)); // over the numbers
     QTest::qWait(200);
     QVERIFY(!preview.isVisible());
+}
+
+void TestTimeline::theBarSaysWhatIsKeptOfFrames() {
+    const ThemeColors& colors = themeColors();
+    QVERIFY(m_window->simulateTo(40));
+    simulation().showFrame(20);
+    QCOMPARE(colorAt(scrubber(), 10), colors.accent);
+    QCOMPARE(colorAt(scrubber(), 60), colors.field);
+    m_window->typeInto(m_window->field("cloth.ks"), "900");
+    m_window->key(Qt::Key_Return);
+    QCOMPARE(colorAt(scrubber(), 10), colors.accent);
+    const QColor stale = colorAt(scrubber(), 30);
+    QVERIFY(stale != colors.accent && stale != colors.field && stale.red() > stale.blue());
+
+    m_window->key(Qt::Key_Z, Qt::ControlModifier);
+    m_window->key(Qt::Key_Space); // first what is recorded, which is not live
+    QCOMPARE(colorAt(scrubber(), 10), colors.accent);
+    TRY_VERIFY(m_window->frameCount() > 50);
+    QCOMPARE(colorAt(scrubber(), 43), colors.error);
+    QCOMPARE(colorAt(scrubber(), 10), colors.accent);
+    m_window->key(Qt::Key_Space);
+    QCOMPARE(colorAt(scrubber(), 43), colors.accent);
+}
+
+void TestTimeline::whatIsOnDiskOnlyIsSaid() {
+    QTemporaryDir folder;
+    Document document;
+    Simulation simulation(document, nullptr, 60'000); // bytes
+    simulation.setJournals([&] { return folder.filePath("journal.clothtake"); });
+    document.edit("sheet", smallScene());
+    Scrubber bar(document, simulation);
+    bar.resize(600, 100);
+    const auto isOnDisk = [&](int frame) {
+        const RecordedFrame& recorded = simulation.recording().frame(frame);
+        return !recorded.exact && recorded.group && recorded.group->payload->bytesInMemory() == 0;
+    };
+    simulation.play();
+    TRY_VERIFY(simulation.recording().frameCount() > 80 && isOnDisk(4));
+    simulation.pause();
+    QTest::qWait(400); // it is not asked with every frame
+    QVERIFY(!isOnDisk(simulation.recording().lastFrame()));
+    const QColor onDisk = colorAt(bar, 4);
+    const ThemeColors& colors = themeColors();
+    QVERIFY(onDisk != colors.accent && onDisk != colors.field);
+    QCOMPARE(colorAt(bar, simulation.recording().lastFrame() - 1), colors.accent);
 }
 
 void TestTimeline::paintingCostsTheSameForManyFrames() {
