@@ -72,10 +72,10 @@ private slots:
         QVERIFY(!writeTakeFile(file.toStdString(), test::twoTakes(kDefaultError).contents));
         const auto info = runProgram({"info", file});
         QCOMPARE(info.status, 0);
-        for (const char* words :
-             {"9 x 7 points", "0.01 mm", "'Take 1', frames 0 to 40", "frame 12: simulation.gravity[0] 0 -> 3",
-              "2 'softer', branches off frame 9 of 1, frames 10 to 30", "frame 10: cloth.ks 5000 -> 3000",
-              "marker at frame 29 of take 2: ends"})
+        for (const char* words : {"0.01 mm", "1 'Take 1', 9 x 7 points, 300 springs, frames 0 to 40",
+                                  "frame 12: simulation.gravity[0] 0 -> 3",
+                                  "2 'softer', branches off frame 9 of 1, frames 10 to 30",
+                                  "frame 10: cloth.ks 5000 -> 3000", "marker at frame 29 of take 2: ends"})
             QVERIFY2(info.out.contains(words), qPrintable(QString(words) + " in\n" + info.out));
         QVERIFY(info.err.isEmpty());
     }
