@@ -19,6 +19,7 @@ public:
     QAction* saveAs = nullptr;
     QAction* screenshot = nullptr;
     QAction* picture = nullptr;
+    QAction* exportFrames = nullptr;
     QAction* quit = nullptr;
 
     QAction* playPause = nullptr;

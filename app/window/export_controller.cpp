@@ -1,0 +1,155 @@
+#include "app/window/export_controller.h"
+
+#include "app/viewport/viewport.h"
+#include "app/window/export_dialog.h"
+#include "app/window/export_progress.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
+
+#include <utility>
+
+namespace clothlab {
+
+ExportController::ExportController(Document& document, Simulation& simulation, Viewport& viewport,
+                                   render::PictureSource pictures, QWidget& window)
+    : QObject(&window), m_document(document), m_simulation(simulation), m_viewport(viewport),
+      m_pictures(std::move(pictures)), m_window(window), m_dialog(new ExportDialog(&window)),
+      m_status(new ExportProgress(&window)) {
+    m_status->setToolTip(tr("An export is under way"));
+    connect(m_dialog, &ExportDialog::exportAsked, this, &ExportController::begin);
+    connect(m_dialog, &ExportDialog::cancelAsked, this, &ExportController::cancel);
+    connect(m_status, &ExportProgress::cancelAsked, this, &ExportController::cancel);
+    const auto update = [this] {
+        if (m_dialog->isVisible())
+            updateFacts();
+    };
+    connect(&simulation, &Simulation::recordingChanged, this, update);
+    connect(&document, &Document::sceneChanged, this, update);
+    connect(&document, &Document::fileChanged, this, update);
+}
+
+ExportController::~ExportController() = default;
+
+void ExportController::showDialog() {
+    updateFacts();
+    m_dialog->show();
+    m_dialog->raise();
+    m_dialog->activateWindow();
+}
+
+void ExportController::updateFacts() {
+    const QFileInfo scene(m_document.path());
+    ExportFacts facts;
+    facts.lastFrame = m_simulation.recording().lastFrame();
+    facts.framesPerSecond = m_document.scene().simulation.framesPerSecond;
+    facts.grid = m_simulation.sheet().grid;
+    facts.file = m_document.path().isEmpty() ? QDir::homePath() + "/cloth"
+                                             : scene.absolutePath() + '/' + scene.completeBaseName();
+    if (!m_viewport.hasPicture())
+        facts.whyNoPicture = tr("Pictures need OpenGL, which is not to be had here");
+    m_dialog->setFacts(facts);
+}
+
+// The only place that knows where recorded frames are.
+FrameSource ExportController::frameSource() const {
+    const Recording& recording = m_simulation.recording();
+    auto frames = std::make_shared<std::vector<FramePointer>>();
+    frames->reserve(std::size_t(recording.frameCount()));
+    for (int i = 0; i < recording.frameCount(); ++i)
+        frames->push_back(recording.frame(i));
+    return {recording.frameCount(), m_simulation.sheet(),
+            [frames](int frame, std::string&) { return (*frames)[std::size_t(frame)]; }};
+}
+
+std::unique_ptr<FramePainter> ExportController::painter(const ExportRequest& request) {
+    if (!hasPictures(request.kind))
+        return nullptr;
+    PictureLook look;
+    look.frame = m_viewport.frameFor(request.size);
+    look.frame.highlight = {}; // it has the places of one frame
+    look.scene = m_document.snapshot();
+    look.sheet = m_simulation.sheet();
+    look.size = request.size;
+    look.source = m_pictures;
+    return makeFramePainter(std::move(look));
+}
+
+bool ExportController::mayReplace(const ExportRequest& request) {
+    QStringList there;
+    for (const QString& file : filesOf(request))
+        if (QFileInfo::exists(file))
+            there << QFileInfo(file).fileName();
+    if (there.isEmpty())
+        return true;
+    QMessageBox box(QMessageBox::Question, tr("Replace files"),
+                    there.size() == 1 ? tr("%1 is already there. Replace it?").arg(there[0])
+                                      : tr("%1 of the files are already there, such as %2. Replace them?")
+                                            .arg(there.size())
+                                            .arg(there[0]),
+                    QMessageBox::Yes | QMessageBox::Cancel, m_dialog);
+    box.setTextFormat(Qt::PlainText);
+    box.setInformativeText(tr("They stay as they are until the export is complete."));
+    box.setDefaultButton(QMessageBox::Cancel);
+    box.button(QMessageBox::Yes)->setText(tr("Replace"));
+    return box.exec() == QMessageBox::Yes;
+}
+
+void ExportController::begin(const ExportRequest& request) {
+    if (isRunning() || !mayReplace(request))
+        return;
+    m_job = std::make_unique<ExportJob>(frameSource(), request, painter(request));
+    connect(m_job.get(), &ExportJob::progressed, this, [this](int written) {
+        m_dialog->showProgress(written);
+        m_status->show(written);
+    });
+    connect(m_job.get(), &ExportJob::ended, this, &ExportController::onEnded);
+    m_dialog->begin(m_job->total());
+    m_status->begin(m_job->total());
+    m_job->start();
+}
+
+void ExportController::cancel() {
+    if (m_job)
+        m_job->cancel();
+}
+
+void ExportController::onEnded(const ExportResult& result) {
+    const QString path = QDir::toNativeSeparators(m_job->request().path);
+    // Later: it is the job that tells.
+    std::exchange(m_job, nullptr).release()->deleteLater();
+    m_status->end();
+    QString text;
+    if (result.end == ExportEnd::Done)
+        text = result.written == 1 ? tr("Exported 1 frame to %1").arg(path)
+                                   : tr("Exported %1 frames to %2").arg(result.written).arg(path);
+    else if (result.end == ExportEnd::Cancelled)
+        text = tr("The export was cancelled; nothing was written.");
+    else
+        text = tr("Nothing was exported. %1").arg(QString::fromStdString(result.reason));
+    const bool good = result.end == ExportEnd::Done || result.end == ExportEnd::Cancelled;
+    m_dialog->end(text, good);
+    if (good)
+        emit notice(text);
+    else
+        emit problem(text);
+}
+
+bool ExportController::mayClose() {
+    if (!isRunning())
+        return true;
+    QMessageBox box(QMessageBox::Question, tr("Export under way"),
+                    tr("Cancel the export and close the window?"), QMessageBox::Yes | QMessageBox::No,
+                    &m_window);
+    box.setInformativeText(tr("Nothing of it stays."));
+    box.setDefaultButton(QMessageBox::No);
+    if (box.exec() == QMessageBox::Yes)
+        cancel();
+    else if (isRunning())
+        return false;
+    return true;
+}
+
+} // namespace clothlab
