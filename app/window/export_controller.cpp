@@ -16,14 +16,11 @@ namespace clothlab {
 ExportController::ExportController(Document& document, Simulation& simulation, Viewport& viewport,
                                    render::PictureSource pictures, QWidget& window)
     : QObject(&window), m_document(document), m_simulation(simulation), m_viewport(viewport),
-      m_pictures(std::move(pictures)), m_window(window), m_dialog(new ExportDialog(&window)),
-      m_status(new ExportProgress(&window)) {
+      m_pictures(std::move(pictures)), m_window(window), m_status(new ExportProgress(&window)) {
     m_status->setToolTip(tr("An export is under way"));
-    connect(m_dialog, &ExportDialog::exportAsked, this, &ExportController::begin);
-    connect(m_dialog, &ExportDialog::cancelAsked, this, &ExportController::cancel);
     connect(m_status, &ExportProgress::cancelAsked, this, &ExportController::cancel);
     const auto update = [this] {
-        if (m_dialog->isVisible())
+        if (m_dialog && m_dialog->isVisible())
             updateFacts();
     };
     connect(&simulation, &Simulation::recordingChanged, this, update);
@@ -33,7 +30,17 @@ ExportController::ExportController(Document& document, Simulation& simulation, V
 
 ExportController::~ExportController() = default;
 
+ExportDialog& ExportController::dialog() {
+    if (!m_dialog) {
+        m_dialog = new ExportDialog(&m_window);
+        connect(m_dialog, &ExportDialog::exportAsked, this, &ExportController::begin);
+        connect(m_dialog, &ExportDialog::cancelAsked, this, &ExportController::cancel);
+    }
+    return *m_dialog;
+}
+
 void ExportController::showDialog() {
+    dialog();
     updateFacts();
     m_dialog->show();
     m_dialog->raise();
@@ -89,7 +96,7 @@ bool ExportController::mayReplace(const ExportRequest& request) {
                                       : tr("%1 of the files are already there, such as %2. Replace them?")
                                             .arg(there.size())
                                             .arg(there[0]),
-                    QMessageBox::Yes | QMessageBox::Cancel, m_dialog);
+                    QMessageBox::Yes | QMessageBox::Cancel, &dialog());
     box.setTextFormat(Qt::PlainText);
     box.setInformativeText(tr("They stay as they are until the export is complete."));
     box.setDefaultButton(QMessageBox::Cancel);
@@ -102,11 +109,11 @@ void ExportController::begin(const ExportRequest& request) {
         return;
     m_job = std::make_unique<ExportJob>(frameSource(), request, painter(request));
     connect(m_job.get(), &ExportJob::progressed, this, [this](int written) {
-        m_dialog->showProgress(written);
+        dialog().showProgress(written);
         m_status->show(written);
     });
     connect(m_job.get(), &ExportJob::ended, this, &ExportController::onEnded);
-    m_dialog->begin(m_job->total());
+    dialog().begin(m_job->total());
     m_status->begin(m_job->total());
     m_job->start();
 }
@@ -130,7 +137,7 @@ void ExportController::onEnded(const ExportResult& result) {
     else
         text = tr("Nothing was exported. %1").arg(QString::fromStdString(result.reason));
     const bool good = result.end == ExportEnd::Done || result.end == ExportEnd::Cancelled;
-    m_dialog->end(text, good);
+    dialog().end(text, good);
     if (good)
         emit notice(text);
     else

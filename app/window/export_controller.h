@@ -25,7 +25,7 @@ public:
                      render::PictureSource pictures, QWidget& window);
     ~ExportController() override; // cancels
 
-    ExportDialog& dialog() { return *m_dialog; }
+    ExportDialog& dialog();                             // made when it is first asked for
     ExportProgress* statusWidget() { return m_status; } // for the status bar
     bool isRunning() const { return m_job != nullptr; }
 
@@ -50,7 +50,7 @@ private:
     Viewport& m_viewport;
     render::PictureSource m_pictures;
     QWidget& m_window;
-    ExportDialog* m_dialog;
+    ExportDialog* m_dialog = nullptr;
     ExportProgress* m_status;
     std::unique_ptr<ExportJob> m_job;
 };

@@ -171,6 +171,7 @@ QString ExportDialog::pace(const ExportRequest& request) const {
 void ExportDialog::begin(int frames) {
     m_running = true;
     m_result->clear();
+    m_result->hide();
     m_progress->begin(frames);
     refresh();
 }
@@ -184,6 +185,7 @@ void ExportDialog::end(const QString& text, bool good) {
     m_resultGood = good;
     m_progress->end();
     m_result->setText(text);
+    m_result->show();
     colorResult();
     refresh();
 }

@@ -66,19 +66,21 @@ void ExportDialog::layOut() {
     m_form->addRow(tr("File"), file);
     m_form->addRow(tr("Frames"),
                    inOneRow({m_first, new QLabel(tr("to")), m_last, new QLabel(tr("every")), m_every}));
-    m_form->addRow(tr("Axes"), m_placementRow);
+    m_form->addRow(tr("Axes, units"), m_placementRow);
     m_form->addRow(tr("Size"), m_sizeRow);
     m_form->addRow(tr("Frames per second"), m_framesPerSecond);
-    m_form->addRow(tr("Holds"), m_summary);
+    auto* holds = new QLabel(tr("Holds"));
+    m_form->addRow(holds, m_summary);
 
     for (QLabel* label : {m_summary, m_result}) {
         label->setWordWrap(true);
         label->setTextFormat(Qt::PlainText);
         label->setTextInteractionFlags(Qt::TextSelectableByMouse);
     }
-    m_summary->setMinimumHeight(2 * fontMetrics().lineSpacing()); // so that the rest stays where it is
-    m_summary->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    m_result->setMinimumHeight(2 * fontMetrics().lineSpacing());
+    for (QLabel* label : {holds, m_summary, m_result}) {
+        label->setMinimumHeight(2 * fontMetrics().lineSpacing()); // so that the rest stays where it is
+        label->setAlignment((label == holds ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignTop);
+    }
     auto* close = new QPushButton(tr("Close"));
     close->setAutoDefault(false);
     m_choose->setAutoDefault(false);
@@ -91,8 +93,13 @@ void ExportDialog::layOut() {
 
     auto* layout = new QVBoxLayout(this);
     layout->addLayout(m_form);
-    layout->addWidget(m_result);
-    layout->addWidget(m_progress);
+    auto* outcome = new QWidget; // one or the other of the two
+    outcome->setMinimumHeight(m_progress->sizeHint().height());
+    auto* inOutcome = new QVBoxLayout(outcome);
+    inOutcome->setContentsMargins(0, 0, 0, 0);
+    inOutcome->addWidget(m_result);
+    inOutcome->addWidget(m_progress);
+    layout->addWidget(outcome);
     layout->addStretch(1);
     layout->addLayout(buttons);
     setMinimumWidth(50 * fontMetrics().horizontalAdvance('0') + 80);

@@ -78,6 +78,8 @@ ExportResult runExport(const FrameSource& source, const FrameRange& range, Frame
         }
         if (!frame)
             return run.noFrame(number, reason);
+        if (run.stopped()) // it may have taken long
+            return run.cancelled();
         if (auto trouble = writer.add(frame))
             return run.notWritten(*trouble);
         if (progress)
