@@ -29,7 +29,7 @@ void ExportJob::cancel() {
 }
 
 void ExportJob::run() {
-    constexpr int milliseconds = 30; // between two signals
+    constexpr int milliseconds = 100; // between two signals
     QElapsedTimer sinceTold;
     sinceTold.start();
     const auto progress = [&](int written) {

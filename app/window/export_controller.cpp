@@ -35,6 +35,7 @@ ExportDialog& ExportController::dialog() {
         m_dialog = new ExportDialog(&m_window);
         connect(m_dialog, &ExportDialog::exportAsked, this, &ExportController::begin);
         connect(m_dialog, &ExportDialog::cancelAsked, this, &ExportController::cancel);
+        connect(m_dialog, &ExportDialog::shownChanged, this, &ExportController::showProgress);
     }
     return *m_dialog;
 }
@@ -98,7 +99,8 @@ bool ExportController::mayReplace(const ExportRequest& request) {
                                             .arg(there[0]),
                     QMessageBox::Yes | QMessageBox::Cancel, &dialog());
     box.setTextFormat(Qt::PlainText);
-    box.setInformativeText(tr("They stay as they are until the export is complete."));
+    box.setInformativeText(there.size() == 1 ? tr("It stays as it is until the export is complete.")
+                                             : tr("They stay as they are until the export is complete."));
     box.setDefaultButton(QMessageBox::Cancel);
     box.button(QMessageBox::Yes)->setText(tr("Replace"));
     return box.exec() == QMessageBox::Yes;
@@ -109,13 +111,23 @@ void ExportController::begin(const ExportRequest& request) {
         return;
     m_job = std::make_unique<ExportJob>(frameSource(), request, painter(request));
     connect(m_job.get(), &ExportJob::progressed, this, [this](int written) {
-        dialog().showProgress(written);
-        m_status->show(written);
+        m_written = written;
+        showProgress();
     });
     connect(m_job.get(), &ExportJob::ended, this, &ExportController::onEnded);
+    m_written = 0;
     dialog().begin(m_job->total());
     m_status->begin(m_job->total());
+    showProgress();
     m_job->start();
+}
+
+void ExportController::showProgress() {
+    m_status->setVisible(isRunning() && !m_dialog->isVisible());
+    if (m_dialog->isVisible())
+        m_dialog->showProgress(m_written);
+    else
+        m_status->show(m_written);
 }
 
 void ExportController::cancel() {

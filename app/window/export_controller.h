@@ -25,8 +25,10 @@ public:
                      render::PictureSource pictures, QWidget& window);
     ~ExportController() override; // cancels
 
-    ExportDialog& dialog();                             // made when it is first asked for
-    ExportProgress* statusWidget() { return m_status; } // for the status bar
+    ExportDialog& dialog(); // made when it is first asked for
+    // For the status bar; shown while the dialog is not. Whatever is painted in the window of an OpenGL view
+    // composes all of it anew.
+    ExportProgress* statusWidget() { return m_status; }
     bool isRunning() const { return m_job != nullptr; }
 
     void showDialog();
@@ -43,6 +45,7 @@ private:
     std::unique_ptr<FramePainter> painter(const ExportRequest& request);
     void updateFacts();
     bool mayReplace(const ExportRequest& request);
+    void showProgress();
     void onEnded(const ExportResult& result);
 
     Document& m_document;
@@ -53,6 +56,7 @@ private:
     ExportDialog* m_dialog = nullptr;
     ExportProgress* m_status;
     std::unique_ptr<ExportJob> m_job;
+    int m_written = 0; // frames, as last told
 };
 
 } // namespace clothlab

@@ -188,6 +188,9 @@ void ExportDialog::end(const QString& text, bool good) {
     m_result->show();
     colorResult();
     refresh();
+    // A long text must not squeeze the fields.
+    if (const int needed = layout()->totalHeightForWidth(width()); needed > height())
+        resize(width(), needed);
 }
 
 void ExportDialog::colorResult() {
@@ -201,6 +204,12 @@ void ExportDialog::showEvent(QShowEvent* event) {
     fillKinds(); // ffmpeg may have been installed meanwhile
     refresh();
     QDialog::showEvent(event);
+    emit shownChanged(true);
+}
+
+void ExportDialog::hideEvent(QHideEvent* event) {
+    QDialog::hideEvent(event);
+    emit shownChanged(false);
 }
 
 void ExportDialog::changeEvent(QEvent* event) {

@@ -57,9 +57,11 @@ public:
 signals:
     void exportAsked(const clothlab::ExportRequest& request);
     void cancelAsked();
+    void shownChanged(bool shown); // the dialog itself
 
 protected:
     void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
     void changeEvent(QEvent* event) override;
 
 private:
