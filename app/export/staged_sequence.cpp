@@ -36,20 +36,21 @@ private:
     Trouble complete() override {
         if (auto trouble = ofInner(m_inner->finish()))
             return trouble;
-        for (m_moved = 0; m_moved < added(); ++m_moved)
+        m_moving = true;
+        for (; m_moved < added(); ++m_moved)
             if (std::rename(stagedPath(m_moved).c_str(), m_pathOf(m_moved).c_str()) != 0)
                 return std::string("could not be moved to its place (") + std::strerror(errno) + ")";
         m_stage.reset();
+        m_moved = 0; // nothing is to be taken back any more
         return std::nullopt;
     }
     void discard() override {
         m_inner->abandon();
         m_stage.reset();
-        for (int i = 0; i < m_moved; ++i) // they are ours, and the sequence is not whole
-            std::remove(m_pathOf(i).c_str());
-        m_moved = 0;
+        for (; m_moved > 0; --m_moved) // they are ours, and the sequence is not whole
+            std::remove(m_pathOf(m_moved - 1).c_str());
     }
-    std::string place() const override { return m_pathOf(m_moved > 0 ? m_moved : added()); }
+    std::string place() const override { return m_pathOf(m_moving ? m_moved : added()); }
 
     std::string stagedPath(int frame) const {
         const QString name = QFileInfo(QString::fromStdString(m_pathOf(frame))).fileName();
@@ -66,6 +67,7 @@ private:
     std::function<std::string(int)> m_pathOf;
     std::unique_ptr<QTemporaryDir> m_stage;
     std::unique_ptr<FrameWriter> m_inner;
+    bool m_moving = false;
     int m_moved = 0; // files to where they belong
 };
 

@@ -7,6 +7,7 @@
 #include <QOpenGLContext>
 #include <QOpenGLFramebufferObject>
 #include <QOpenGLFunctions>
+#include <QThread>
 
 #include <algorithm>
 
@@ -57,6 +58,9 @@ bool OffscreenRenderer::open(QSize size, const PictureSource& source, QString& r
     };
     auto opened = std::make_unique<Open>();
     opened->size = size;
+    if (QThread::currentThread() != QCoreApplication::instance()->thread() &&
+        !QOpenGLContext::supportsThreadedOpenGL())
+        return fail(tr("this OpenGL does not draw beside a window; save single pictures instead"));
     opened->context.setFormat(surfaceFormat());
     if (!opened->context.create() || !opened->context.makeCurrent(m_surface.get()))
         return fail(

@@ -8,6 +8,7 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSet>
 
 #include <utility>
 
@@ -17,6 +18,7 @@ ExportController::ExportController(Document& document, Simulation& simulation, V
                                    render::PictureSource pictures, QWidget& window)
     : QObject(&window), m_document(document), m_simulation(simulation), m_viewport(viewport),
       m_pictures(std::move(pictures)), m_window(window), m_status(new ExportProgress(&window)) {
+    m_status->makeLow();
     m_status->setToolTip(tr("An export is under way"));
     connect(m_status, &ExportProgress::cancelAsked, this, &ExportController::cancel);
     const auto update = [this] {
@@ -86,10 +88,13 @@ std::unique_ptr<FramePainter> ExportController::painter(const ExportRequest& req
 }
 
 bool ExportController::mayReplace(const ExportRequest& request) {
+    // All in one folder, which is read once: a sequence may have very many files.
+    const QStringList names = QFileInfo(request.path).dir().entryList(QDir::AllEntries | QDir::Hidden);
+    const QSet<QString> inFolder(names.begin(), names.end());
     QStringList there;
     for (const QString& file : filesOf(request))
-        if (QFileInfo::exists(file))
-            there << QFileInfo(file).fileName();
+        if (const QString name = file.section('/', -1); inFolder.contains(name))
+            there << name;
     if (there.isEmpty())
         return true;
     QMessageBox box(QMessageBox::Question, tr("Replace files"),

@@ -22,6 +22,12 @@ ExportProgress::ExportProgress(QWidget* parent)
     hide();
 }
 
+void ExportProgress::makeLow() {
+    for (QWidget* widget : {static_cast<QWidget*>(m_bar), static_cast<QWidget*>(m_cancel)})
+        widget->setStyleSheet(QStringLiteral("min-height: 0; padding: 0 8px;"));
+    setMaximumHeight(fontMetrics().height());
+}
+
 void ExportProgress::begin(int frames) {
     m_bar->setRange(0, frames);
     m_cancel->setEnabled(true);

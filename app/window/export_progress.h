@@ -14,6 +14,9 @@ class ExportProgress : public QWidget {
 public:
     explicit ExportProgress(QWidget* parent = nullptr);
 
+    // As high as a line of text: in a status bar that is to stay as high as it is.
+    void makeLow();
+
     void begin(int frames);
     void show(int written);
     void end();
