@@ -1,8 +1,8 @@
 #include "app/docks/takes_panel.h"
 
-#include "app/docks/scene_difference.h"
 #include "app/docks/text.h"
 #include "app/widgets/icons.h"
+#include "simcore/scene/scene_differences.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -16,6 +16,13 @@ namespace clothlab {
 namespace {
 
 enum Column { Name, Frames, Differs };
+
+QStringList differences(const Scene& before, const Scene& after) {
+    QStringList texts;
+    for (const std::string& text : motionDifferences(before, after))
+        texts << QString::fromStdString(text).replace(QLatin1String("->"), QStringLiteral("→"));
+    return texts;
+}
 
 } // namespace
 

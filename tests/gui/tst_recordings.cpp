@@ -34,7 +34,10 @@ private:
         (*m_window)->dock("takes")->raise();
         TRY_VERIFY(tree().isVisible() && !tree().visibleRegion().isEmpty());
     }
-    QPoint placeOf(TakeId id) { return tree().visualItemRect(item(id)).center(); }
+    QPoint placeOf(TakeId id) {
+        tree().scrollToItem(item(id));
+        return tree().visualItemRect(item(id)).center();
+    }
 
     // Take 1 of 10 frames, and Take 2 that branches off frame 4 with another stiffness.
     void branch() {

@@ -291,9 +291,9 @@ void TestTransport::playingReplacesStaleFrames() {
     disconnect(&m_window->simulation(), nullptr, this, nullptr);
     QCOMPARE(shown.mid(0, 3), (QList<int>{4, 5, 6}));
     const Recording& recording = m_window->simulation().recording();
-    QCOMPARE(recording.frame(4)->scene->cloth.ks, 5000.0);
+    QCOMPARE(recording.frame(4).scene->cloth.ks, 5000.0);
     for (int i = 5; i < recording.frameCount(); ++i)
-        QCOMPARE(recording.frame(i)->scene->cloth.ks, 900.0);
+        QCOMPARE(recording.frame(i).scene->cloth.ks, 900.0);
     QVERIFY(m_window->output().contains("Take 2 begins at frame 4; Take 1 keeps the 6 frame"));
 }
 
