@@ -32,7 +32,7 @@ TakesPanel::TakesPanel(Simulation& simulation, QWidget* parent)
     m_tree->setAccessibleName(tr("Takes"));
     m_tree->setHeaderLabels({tr("Take"), tr("Frames"), tr("What differs")});
     m_tree->header()->setStretchLastSection(true);
-    m_tree->setEditTriggers(QAbstractItemView::EditKeyPressed);
+    m_tree->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_tree->setUniformRowHeights(true);
     m_tree->setAllColumnsShowFocus(true);
 
@@ -58,9 +58,12 @@ TakesPanel::TakesPanel(Simulation& simulation, QWidget* parent)
     layout->addLayout(row);
     layout->addWidget(m_tree, 1);
 
+    m_rename->setShortcut(Qt::Key_F2);
     m_delete->setShortcut(QKeySequence::Delete);
-    m_delete->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    QWidget::addAction(m_delete);
+    for (QAction* action : {m_rename, m_delete}) {
+        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+        QWidget::addAction(action);
+    }
     connect(m_open, &QAction::triggered, this, [this] { m_simulation.openTake(selected()); });
     connect(m_rename, &QAction::triggered, this, [this] { m_tree->editItem(m_tree->currentItem(), Name); });
     connect(m_delete, &QAction::triggered, this, [this] { m_simulation.deleteTake(selected()); });

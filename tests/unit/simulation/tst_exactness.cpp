@@ -24,7 +24,7 @@ struct Run {
     // Memory for few exact frames; the rest is packed, and much of that is in the journal only.
     explicit Run(const Scene& scene)
         : simulation((document.setScene(scene, {}), document), nullptr,
-                     12 * bytesOf(*startFrame(document.snapshot()))) {
+                     12 * bytesOf(*startFrame(std::make_shared<const Scene>(scene)))) {
         simulation.setJournals([this] { return folder.filePath("journal.clothtake"); });
     }
 
