@@ -33,12 +33,19 @@ std::pair<double, double> ends(const std::vector<double>& values) {
 } // namespace
 
 TouchingPoints::TouchingPoints(const Grid& grid)
-    : m_grid(grid), m_cellOf(std::size_t(grid.pointCount())), m_places(std::size_t(grid.pointCount())) {}
+    : m_width(grid.width), m_columnOf(std::size_t(grid.pointCount())),
+      m_cellOf(std::size_t(grid.pointCount())), m_places(std::size_t(grid.pointCount())) {
+    for (int i = 0; i < grid.pointCount(); ++i)
+        m_columnOf[std::size_t(i)] = grid.place(i).x;
+}
 
+// Without a division, as most points that are near each other are joined.
 bool TouchingPoints::joined(int a, int b) const {
-    const int dy = std::abs(a / m_grid.width - b / m_grid.width);
-    const int dx = std::abs(a % m_grid.width - b % m_grid.width);
-    return (dx <= 1 && dy <= 1) || (dx == 2 && dy == 0) || (dx == 0 && dy == 2);
+    const int across = m_columnOf[std::size_t(b)] - m_columnOf[std::size_t(a)];
+    const int rowsApart = std::abs(b - a - across); // in points
+    const int columnsApart = std::abs(across);
+    return (columnsApart <= 1 && rowsApart <= m_width) || (columnsApart == 2 && rowsApart == 0) ||
+           (columnsApart == 0 && rowsApart == 2 * m_width);
 }
 
 // One cell more than the sheet takes, which stays empty: beyond the ends there is nothing.

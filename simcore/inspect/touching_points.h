@@ -40,7 +40,8 @@ private:
     void compare(std::size_t own, float distanceSquared, std::vector<std::uint8_t>& touches);
     bool joined(int a, int b) const;
 
-    Grid m_grid;
+    int m_width;
+    std::vector<std::int32_t> m_columnOf; // by point
     std::array<double, 3> m_lowest{};
     std::array<std::uint32_t, 3> m_size{2, 2, 2}; // cells; powers of two
     std::vector<std::uint32_t> m_begin;           // of each cell in m_places; one more at the end
