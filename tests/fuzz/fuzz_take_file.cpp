@@ -12,7 +12,8 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const int file = memfd_create("take", 0);
     static const std::string path = "/proc/self/fd/" + std::to_string(file);
-    if (ftruncate(file, 0) != 0 || pwrite(file, data, size, 0) != ssize_t(size))
+    const std::string bytes = clothlab::test::withRightChecksums({reinterpret_cast<const char*>(data), size});
+    if (ftruncate(file, 0) != 0 || pwrite(file, bytes.data(), size, 0) != ssize_t(size))
         return 0;
     const std::string broken = clothlab::test::brokenTakeFileInvariant(clothlab::readTakeFile(path));
     if (!broken.empty()) {

@@ -1,5 +1,9 @@
 #include "tests/support/take_file_invariants.h"
 
+#include "simcore/base/checksum.h"
+#include "simcore/base/little_endian.h"
+#include "simcore/recording/chunk_heads.h"
+
 namespace clothlab::test {
 namespace {
 
@@ -41,7 +45,53 @@ std::string brokenTake(const TakeFileContents& contents, const RecordedTake& tak
     return {};
 }
 
+void putChecksum(std::string& bytes, std::size_t at, std::string_view of) {
+    std::string sum;
+    appendLittleEndian(sum, checksum(of));
+    bytes.replace(at, sum.size(), sum);
+}
+
+// Those in the head of a chunk of frames or of a checkpoint.
+void rightBlobs(std::string& bytes, std::size_t at, const ChunkHeader& header) {
+    const std::size_t head = at + kChunkHeaderBytes;
+    const std::size_t payload = head + header.headLength;
+    const std::string_view payloadBytes = std::string_view(bytes).substr(payload, header.payloadLength);
+    constexpr std::size_t checkpointSum = 16; // where it is in the head
+    constexpr std::size_t entries = 26, entryBytes = 72;
+    if (ChunkType{header.type} == ChunkType::Checkpoint && header.headLength >= checkpointSum + 8)
+        putChecksum(bytes, head + checkpointSum, std::string(payloadBytes));
+    if (ChunkType{header.type} != ChunkType::Frames)
+        return;
+    std::uint64_t begin = 0;
+    for (std::size_t entry = entries; entry + entryBytes <= header.headLength; entry += entryBytes) {
+        LittleEndianReader length(std::string_view(bytes).substr(head + entry + entryBytes - 12, 4));
+        const auto count = length.read<std::uint32_t>();
+        if (begin > header.payloadLength || count > header.payloadLength - begin)
+            return;
+        putChecksum(bytes, head + entry + entryBytes - 8, bytes.substr(payload + std::size_t(begin), count));
+        begin += count;
+    }
+}
+
 } // namespace
+
+std::string withRightChecksums(std::string bytes) {
+    if (bytes.size() >= kFileHeaderBytes)
+        putChecksum(bytes, kFileHeaderBytes - 8, std::string_view(bytes).substr(0, kFileHeaderBytes - 8));
+    for (std::size_t at = bytes.find(kChunkMagic); at != std::string::npos;
+         at = bytes.find(kChunkMagic, at + 1)) {
+        const auto header = readChunkHeader(std::string_view(bytes).substr(at));
+        const std::size_t left = bytes.size() - at;
+        if (!header || header->headLength > left - std::min<std::size_t>(left, kChunkHeaderBytes) ||
+            header->payloadLength > left - kChunkHeaderBytes - header->headLength)
+            continue;
+        rightBlobs(bytes, at, *header);
+        const std::string covered = bytes.substr(at, kChunkHeaderBytes - 8) +
+                                    bytes.substr(at + kChunkHeaderBytes, header->headLength);
+        putChecksum(bytes, at + kChunkHeaderBytes - 8, covered);
+    }
+    return bytes;
+}
 
 std::string brokenTakeFileInvariant(const TakeFileReading& reading) {
     for (const Diagnostic& diagnostic : reading.diagnostics)

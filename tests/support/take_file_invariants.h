@@ -11,4 +11,8 @@ namespace clothlab::test {
 // what does not hold.
 std::string brokenTakeFileInvariant(const TakeFileReading& reading);
 
+// The same bytes with right checksums wherever there is a chunk, so that what lies behind them is reached,
+// too.
+std::string withRightChecksums(std::string bytes);
+
 } // namespace clothlab::test
