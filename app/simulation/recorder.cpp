@@ -68,9 +68,8 @@ void Recorder::add(TakeId take, std::shared_ptr<const Sheet> sheet, int number, 
     });
 }
 
-void Recorder::setScene(std::shared_ptr<const Scene> scene) {
-    post([this, scene = std::move(scene)] {
-        TakeMeta meta;
+void Recorder::setMeta(TakeMeta meta, std::shared_ptr<const Scene> scene) {
+    post([this, meta = std::move(meta), scene = std::move(scene)]() mutable {
         meta.error = m_error;
         meta.scene = idOf(scene);
         write(metaChunk(meta));
@@ -248,6 +247,7 @@ void Recorder::packPending() {
     Packed packed;
     packed.session = m_session;
     packed.group = std::move(group);
+    packed.bytes = bytes;
     m_deliver(std::move(packed));
     for (Checkpoint& pending : m_pendingCheckpoints) {
         auto checkpoint = std::make_shared<const Checkpoint>(std::move(pending));
@@ -264,7 +264,6 @@ void Recorder::packPending() {
     m_pending.clear();
     m_pendingFrames.clear();
     m_pendingCheckpoints.clear();
-    m_bytesWaiting -= bytes;
     releaseMemory();
 }
 

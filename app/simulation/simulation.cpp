@@ -29,6 +29,7 @@ Simulation::Simulation(Document& document, QObject* parent, std::size_t memoryBu
       m_worker([this](FrameOutcome outcome) {
           later(this, [this, outcome = std::move(outcome)]() mutable { receive(std::move(outcome)); });
       }) {
+    m_sinceBegin.start();
     m_clock.setSingleShot(true);
     m_clock.setTimerType(Qt::PreciseTimer);
     connect(&m_clock, &QTimer::timeout, this, &Simulation::advance);
@@ -64,6 +65,11 @@ void Simulation::tellTake(const Take& take) {
     m_recorder.setTake(infoOf(m_recording, take));
 }
 
+// The scene of the user, and marks.
+void Simulation::tellMeta() {
+    m_recorder.setMeta(marksOf(m_recording), m_document.snapshot());
+}
+
 void Simulation::load(const LoadedTakes& loaded, TakeFileContents contents) {
     m_recording.load(loaded.takes, loaded.open);
     m_recording.show(loaded.shownFrame);
@@ -77,7 +83,7 @@ void Simulation::whenPacked(std::function<void()> then) {
 }
 
 void Simulation::gatherContents(std::function<void(TakeFileContents)> use) {
-    m_recorder.setScene(m_document.snapshot());
+    tellMeta();
     whenPacked([this, use = std::move(use), scene = m_document.snapshot()] {
         TakeFileContents contents = contentsOf(m_recording);
         contents.meta.version = CLOTHLAB_VERSION;
@@ -105,7 +111,7 @@ void Simulation::onSceneChanged(SceneChange change) {
     }
     const TakePointer before = m_recording.take();
     const Recording::Effect effect = m_recording.setScene(m_document.snapshot());
-    m_recorder.setScene(m_document.snapshot());
+    tellMeta();
     if (change == SceneChange::Motion)
         setBlowUp({});
     if (effect == Recording::Effect::OtherTake) {
@@ -150,19 +156,7 @@ void Simulation::restart() {
     showOtherTake();
 }
 
-// --- playing
-
-void Simulation::play() {
-    if (m_playing)
-        return;
-    dropPending();
-    if (m_recording.isStale(currentFrame()))
-        show(m_recording.endOfRun());
-    setPlaying(true);
-    m_sincePlay.start();
-    m_due = 0;
-    advance();
-}
+// --- frame by frame; what plays is in simulation_playing.cpp
 
 void Simulation::pause() {
     dropPending();
@@ -181,26 +175,6 @@ void Simulation::simulateFrame() {
         pause();
     if (!isSimulating())
         requestFrame();
-}
-
-void Simulation::advance() {
-    if (!m_playing)
-        return;
-    if (m_ready)
-        record(std::exchange(m_ready, nullptr));
-    if (currentFrame() < m_recording.endOfRun()) {
-        show(currentFrame() + 1);
-        schedule();
-    }
-    // At the end the next frame is computed ahead, while this one is looked at.
-    if (m_playing && currentFrame() >= m_recording.endOfRun() && !isSimulating())
-        requestFrame();
-}
-
-void Simulation::schedule() {
-    const auto now = double(m_sincePlay.nsecsElapsed()) * 1e-6;
-    m_due = std::max(m_due + 1000.0 / m_document.scene().simulation.framesPerSecond, now);
-    m_clock.start(int(m_due - now));
 }
 
 // --- what the worker does
@@ -323,6 +297,7 @@ void Simulation::repairWay(const Pending& done) {
 }
 
 void Simulation::receive(Packed packed) {
+    m_recorder.taken(packed);
     if (packed.session != m_session)
         return;
     if (!packed.problem.empty())

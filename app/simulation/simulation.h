@@ -4,6 +4,7 @@
 
 #include "app/document/document.h"
 #include "app/simulation/frame_worker.h"
+#include "app/simulation/playback.h"
 #include "app/simulation/recorder.h"
 #include "simcore/recording/recording_contents.h"
 
@@ -17,8 +18,8 @@ namespace clothlab {
 
 inline constexpr std::size_t kRecordingBudget = std::size_t(1) << 30U; // bytes of memory
 
-// Playing shows recorded frames at their own pace and, after the last, goes on simulating. What is
-// recorded is what was shown: a frame that is under way when playing stops is dropped. Which frames are
+// Playing shows recorded frames as Playback says and, after the last, goes on simulating. What is recorded
+// is what was shown: a frame that is under way when playing stops is dropped. Which frames are
 // stale, and when a take begins, says Recording.
 //
 // A frame is shown as it is kept. If that is not exactly, its state is computed again, once playing and
@@ -50,6 +51,10 @@ public:
     FramePointer look(int frame); // of the open take, as it is kept
     const Scene& shownScene() const { return m_recording.shownScene(); }
     bool isPlaying() const { return m_playing; }
+    bool isPlayingBackward() const { return m_playing && m_playback.direction() == Direction::Backward; }
+    bool isRecordingLive() const { return m_playing && m_live; } // what is shown next is new
+    const PlaybackSettings& playback() const { return m_playback.settings(); }
+    const TakeMarks& marks() const { return m_recording.take()->marks(); } // of the open take
     bool isSimulating() const { return m_pending && m_pending->newFrame; } // a new frame is under way
     int firstStaleFrame() const { return m_recording.firstStaleFrame(); }
     QString blowUp() const { return m_blowUp; } // in words; empty if it did not
@@ -59,7 +64,10 @@ public:
 public slots:
     void play();
     void pause();
+    void playBackward(); // turns round what plays forward
     void togglePlaying() { m_playing ? pause() : play(); }
+    void togglePlayingBackward() { isPlayingBackward() ? pause() : playBackward(); }
+    void setPlayback(const clothlab::PlaybackSettings& settings);
     void showFrame(int frame); // pauses; clamped to what is recorded
     void moveBy(int frames) { showFrame(currentFrame() + frames); }
     void simulateFrame(); // pauses; one frame after the last that is not stale
@@ -69,12 +77,21 @@ public slots:
     void openTake(clothlab::TakeId id);
     void renameTake(clothlab::TakeId id, const QString& name);
     void deleteTake(clothlab::TakeId id);
+    // Of the open take. Changes with the same text and the same gesture, not 0, merge into one step.
+    void setMarks(const QString& text, clothlab::TakeMarks marks, int gesture = 0);
+    void setMarker(int frame, const QString& name); // a new one, or another name
+    void removeMarker(int frame);
+    void setInPoint(int frame, int gesture = 0); // an out point before it goes
+    void setOutPoint(int frame, int gesture = 0);
+    void clearRange();
 
 signals:
     void frameShown();       // currentFrame() or what it holds has changed
     void recordingChanged(); // the frames of the open take, which are stale, or how they are kept
     void takesChanged();     // which there are, their names, or which is open
     void playingChanged(bool playing);
+    void playbackChanged(); // playback() or isRecordingLive()
+    void marksChanged();    // of any take
     void blowUpChanged();
     void notice(const QString& text); // something the user should know
 
@@ -82,8 +99,10 @@ private:
     friend class OpenTakeCommand;
     friend class RenameTakeCommand;
     friend class DeleteTakeCommand;
+    friend class MarksCommand;
     void exchangeView(Recording::View& other);
     void exchangeName(const TakePointer& take, std::string& other);
+    void exchangeMarks(const TakePointer& take, TakeMarks& other);
     bool removeTake(const TakePointer& take);
     void insertTake(const TakePointer& take);
 
@@ -101,9 +120,12 @@ private:
     void showOtherTake();
     void announceTake(); // the open one, which has just begun, to the recorder
     void tellTake(const Take& take);
+    void tellMeta();
 
-    void advance();  // the next frame is due
-    void schedule(); // the one after it
+    void begin(Direction direction); // to play
+    Playback::Played played() const;
+    double milliseconds() const; // since this was made
+    void advance();              // the next frame may be due
     void requestFrame();
     bool isFull();
     void refine(); // the shown frame
@@ -133,8 +155,9 @@ private:
     FramePointer m_ready; // computed ahead; recorded once it is due
     int m_follows = 0;    // the frame that this, or the new one under way, follows
     QTimer m_clock;       // runs until the next frame is due
-    QElapsedTimer m_sincePlay;
-    double m_due = 0; // of the next frame, in ms of m_sincePlay
+    QElapsedTimer m_sinceBegin;
+    Playback m_playback;
+    bool m_live = false; // as it last was while playing
 
     std::function<QString()> m_newJournal;
     int m_session = 0;

@@ -40,6 +40,54 @@ void Simulation::deleteTake(TakeId id) {
     stack.endMacro();
 }
 
+void Simulation::setMarks(const QString& text, TakeMarks marks, int gesture) {
+    if (marks != this->marks())
+        m_document.undoStack().push(
+            new MarksCommand(*this, text, m_recording.take(), std::move(marks), gesture));
+}
+
+void Simulation::setMarker(int frame, const QString& name) {
+    const std::string text = name.simplified().toStdString();
+    if (text.empty() || frame < 0 || frame > m_recording.lastFrame())
+        return;
+    TakeMarks changed = marks();
+    const bool isNew = !findMarker(changed, frame);
+    clothlab::setMarker(changed, {frame, text});
+    setMarks(isNew ? tr("add a marker") : tr("rename a marker"), std::move(changed));
+}
+
+void Simulation::removeMarker(int frame) {
+    TakeMarks changed = marks();
+    clothlab::removeMarker(changed, frame);
+    setMarks(tr("remove a marker"), std::move(changed));
+}
+
+void Simulation::setInPoint(int frame, int gesture) {
+    TakeMarks changed = marks();
+    FrameRange range = changed.range.value_or(FrameRange{});
+    range.in = frame;
+    if (range.out < frame)
+        range.out = kOpenEnd;
+    changed.range = range == FrameRange{} ? std::nullopt : std::optional(range);
+    setMarks(tr("set the in point"), std::move(changed), gesture);
+}
+
+void Simulation::setOutPoint(int frame, int gesture) {
+    TakeMarks changed = marks();
+    FrameRange range = changed.range.value_or(FrameRange{});
+    range.out = frame;
+    if (range.in > frame)
+        range.in = 0;
+    changed.range = range;
+    setMarks(tr("set the out point"), std::move(changed), gesture);
+}
+
+void Simulation::clearRange() {
+    TakeMarks changed = marks();
+    changed.range.reset();
+    setMarks(tr("clear the in and out points"), std::move(changed));
+}
+
 void Simulation::exchangeView(Recording::View& other) {
     Recording::View now = m_recording.view();
     m_opening = &other;
@@ -54,6 +102,24 @@ void Simulation::exchangeName(const TakePointer& take, std::string& other) {
     take->setName(std::exchange(other, std::move(now)));
     tellTake(*take);
     emit takesChanged();
+}
+
+void Simulation::exchangeMarks(const TakePointer& take, TakeMarks& other) {
+    TakeMarks now = take->marks();
+    take->setMarks(std::exchange(other, std::move(now)));
+    tellMeta();
+    emit marksChanged();
+    if (m_playing && take == m_recording.take())
+        advance(); // it may end elsewhere
+}
+
+bool MarksCommand::mergeWith(const QUndoCommand* command) {
+    const auto* later = dynamic_cast<const MarksCommand*>(command);
+    if (!later || later->m_gesture != m_gesture || later->m_take != m_take || later->text() != text())
+        return false;
+    // The later one is done already; this one goes on holding the marks from before both.
+    setObsolete(m_other == m_take->marks());
+    return true;
 }
 
 bool Simulation::removeTake(const TakePointer& take) {

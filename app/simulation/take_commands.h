@@ -52,4 +52,22 @@ private:
     bool m_removed = false;
 };
 
+class MarksCommand : public QUndoCommand {
+public:
+    MarksCommand(Simulation& simulation, const QString& text, TakePointer take, TakeMarks marks, int gesture)
+        : QUndoCommand(text), m_simulation(simulation), m_take(std::move(take)), m_other(std::move(marks)),
+          m_gesture(gesture) {}
+
+    void redo() override { m_simulation.exchangeMarks(m_take, m_other); }
+    void undo() override { m_simulation.exchangeMarks(m_take, m_other); }
+    int id() const override { return m_gesture == 0 ? -1 : 2; } // EditSceneCommand has 1
+    bool mergeWith(const QUndoCommand* command) override;
+
+private:
+    Simulation& m_simulation;
+    TakePointer m_take;
+    TakeMarks m_other;
+    int m_gesture;
+};
+
 } // namespace clothlab

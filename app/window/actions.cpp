@@ -11,6 +11,7 @@ namespace clothlab {
 Actions::Actions(QWidget& window) : QObject(&window), m_window(window) {
     addFileActions();
     addSimulationActions();
+    addPlaybackActions();
     addViewActions();
     addOtherActions();
 }
@@ -77,6 +78,30 @@ void Actions::addSimulationActions() {
         action->setAutoRepeat(false);
 }
 
+void Actions::addPlaybackActions() {
+    playBackward = add("playBackward", tr("Play Backward"), "play-backward", {QKeySequence("Shift+Space")},
+                       tr("Play what is recorded backward, or pause; from the start, begins at the end"));
+    slower = add("slower", tr("Play Slower"), {}, {QKeySequence("[")}, tr("Play at half the speed"));
+    faster = add("faster", tr("Play Faster"), {}, {QKeySequence("]")}, tr("Play at twice the speed"));
+    loop = add("loop", tr("Loop"), "loop", {QKeySequence("L")},
+               tr("Play again and again between in and out point; records nothing"));
+    setIn = add("setIn", tr("Set the In Point"), {}, {QKeySequence("I")},
+                tr("Loops begin, and playing backward ends, at this frame"));
+    setOut = add("setOut", tr("Set the Out Point"), {}, {QKeySequence("O")},
+                 tr("Loops, and playing from before it, end at this frame"));
+    clearRange = add("clearRange", tr("Clear In and Out Point"), {}, {QKeySequence("Alt+X")},
+                     tr("Play from the first to the last frame again"));
+    addMarker =
+        add("addMarker", tr("Add a Marker"), "marker", {QKeySequence("M")}, tr("Add a marker at this frame"));
+    nextMarker =
+        add("nextMarker", tr("Next Marker"), {}, {QKeySequence("Ctrl+Right")}, tr("Go to the next marker"));
+    previousMarker = add("previousMarker", tr("Previous Marker"), {}, {QKeySequence("Ctrl+Left")},
+                         tr("Go to the marker before"));
+    loop->setCheckable(true);
+    for (QAction* action : {playBackward, loop, setIn, setOut, clearRange, addMarker})
+        action->setAutoRepeat(false);
+}
+
 void Actions::addViewActions() {
     home = add("home", tr("&Home"), "home", {QKeySequence("Home")}, tr("Camera back to where it started"));
     frameSelection = add("frameSelection", tr("Frame &Selection"), "frame-selection", {QKeySequence("F")},
@@ -124,9 +149,23 @@ void Actions::addOtherActions() {
     about = add("about", tr("&About ClothLab"), {}, {}, tr("What ClothLab is, and its version"));
 }
 
-void Actions::showPlaying(bool playing) {
+void Actions::showPlaying(bool playing, bool backward) {
+    if (m_shownPlaying == std::pair(playing, backward))
+        return; // icons are not made anew with every frame
+    m_shownPlaying = {playing, backward};
     playPause->setText(playing ? tr("Pause") : tr("Play"));
-    playPause->setIcon(themedIcon(playing ? "pause" : "play"));
+    playPause->setIcon(themedIcon(playing && !backward ? "pause" : "play"));
+    playBackward->setIcon(themedIcon(backward ? "pause" : "play-backward"));
+}
+
+void setUsable(QAction* action, bool usable, const QString& whyNot) {
+    if (action->isEnabled() == usable)
+        return;
+    constexpr const char* kOwnTip = "ownToolTip";
+    if (!usable)
+        action->setProperty(kOwnTip, action->toolTip());
+    action->setEnabled(usable);
+    action->setToolTip(usable ? action->property(kOwnTip).toString() : whyNot);
 }
 
 } // namespace clothlab

@@ -5,6 +5,8 @@
 #include <QAction>
 #include <QObject>
 
+#include <utility>
+
 namespace clothlab {
 
 class Actions : public QObject {
@@ -24,6 +26,10 @@ public:
     QAction* quit = nullptr;
 
     QAction* playPause = nullptr;
+    QAction* playBackward = nullptr;
+    QAction* faster = nullptr;
+    QAction* slower = nullptr;
+    QAction* loop = nullptr;
     QAction* stepBack = nullptr;
     QAction* stepForward = nullptr;
     QAction* tenBack = nullptr;
@@ -32,6 +38,13 @@ public:
     QAction* lastFrame = nullptr;
     QAction* simulateFrame = nullptr;
     QAction* restart = nullptr;
+
+    QAction* setIn = nullptr;
+    QAction* setOut = nullptr;
+    QAction* clearRange = nullptr;
+    QAction* addMarker = nullptr;
+    QAction* nextMarker = nullptr;
+    QAction* previousMarker = nullptr;
 
     QAction* home = nullptr;
     QAction* frameSelection = nullptr;
@@ -59,18 +72,23 @@ public:
     QAction* keys = nullptr;
     QAction* about = nullptr;
 
-    // The icon and name of playPause.
-    void showPlaying(bool playing);
+    // The icons of playPause and playBackward, and what the first does.
+    void showPlaying(bool playing, bool backward);
 
 private:
     QAction* add(const char* name, const QString& text, const QString& icon,
                  const QList<QKeySequence>& shortcuts, const QString& tip);
     void addFileActions();
     void addSimulationActions();
+    void addPlaybackActions();
     void addViewActions();
     void addOtherActions();
 
     QWidget& m_window;
+    std::pair<bool, bool> m_shownPlaying{false, false};
 };
+
+// An action that cannot be used now says why in its tip.
+void setUsable(QAction* action, bool usable, const QString& whyNot);
 
 } // namespace clothlab

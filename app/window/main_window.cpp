@@ -179,7 +179,7 @@ void MainWindow::connectSimulationActions() {
     connect(m_actions->lastFrame, &QAction::triggered, s, [s] { s->showFrame(s->recording().lastFrame()); });
     connect(m_actions->simulateFrame, &QAction::triggered, s, &Simulation::simulateFrame);
     connect(m_actions->restart, &QAction::triggered, s, &Simulation::restart);
-    connect(s, &Simulation::playingChanged, m_actions, &Actions::showPlaying);
+    connectPlaybackActions();
     connect(s, &Simulation::frameShown, this, &MainWindow::updateTransport);
     connect(s, &Simulation::recordingChanged, this, &MainWindow::updateTransport);
 }
@@ -225,30 +225,6 @@ void MainWindow::updateTitle() {
     setWindowTitle(tr("%1[*] — ClothLab").arg(m_document.displayName()));
     setWindowModified(m_document.isModified());
     setWindowFilePath(m_document.path());
-}
-
-namespace {
-
-// An action that cannot be used now says why in its tip.
-void setUsable(QAction* action, bool usable, const QString& whyNot) {
-    if (action->isEnabled() == usable)
-        return;
-    constexpr const char* kOwnTip = "ownToolTip";
-    if (!usable)
-        action->setProperty(kOwnTip, action->toolTip());
-    action->setEnabled(usable);
-    action->setToolTip(usable ? action->property(kOwnTip).toString() : whyNot);
-}
-
-} // namespace
-
-void MainWindow::updateTransport() {
-    const bool atStart = m_simulation.currentFrame() == 0;
-    const bool atEnd = m_simulation.currentFrame() == m_simulation.recording().lastFrame();
-    for (QAction* action : {m_actions->stepBack, m_actions->tenBack, m_actions->firstFrame})
-        setUsable(action, !atStart, tr("This is the first frame"));
-    for (QAction* action : {m_actions->stepForward, m_actions->tenForward, m_actions->lastFrame})
-        setUsable(action, !atEnd, tr("This is the last recorded frame; N simulates one more"));
 }
 
 void MainWindow::updateAppearanceControls() {

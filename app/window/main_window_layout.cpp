@@ -43,9 +43,10 @@ void MainWindow::makePanels() {
     m_inspectorPanel = new InspectorPanel(m_document, m_simulation);
     m_simulationPanel = new SimulationPanel(m_document);
     m_timelinePanel = new TimelinePanel(m_document, m_simulation,
-                                        {m_actions->firstFrame, m_actions->stepBack, m_actions->playPause,
-                                         m_actions->stepForward, m_actions->lastFrame,
+                                        {m_actions->firstFrame, m_actions->stepBack, m_actions->playBackward,
+                                         m_actions->playPause, m_actions->stepForward, m_actions->lastFrame,
                                          m_actions->simulateFrame, m_actions->restart});
+    m_timelinePanel->setCamera([this] { return m_viewport->camera(); });
     m_takesPanel = new TakesPanel(m_simulation);
     m_outputPanel = new OutputPanel;
     m_shaderEditor = new ShaderEditor;
@@ -116,6 +117,12 @@ void MainWindow::makeMenus() {
     simulation->addSeparator();
     simulation->addActions({m_actions->firstFrame, m_actions->tenBack, m_actions->stepBack,
                             m_actions->stepForward, m_actions->tenForward, m_actions->lastFrame});
+    simulation->addSeparator();
+    simulation->addActions({m_actions->playBackward, m_actions->slower, m_actions->faster, m_actions->loop});
+    simulation->addSeparator();
+    simulation->addActions({m_actions->setIn, m_actions->setOut, m_actions->clearRange});
+    simulation->addSeparator();
+    simulation->addActions({m_actions->addMarker, m_actions->previousMarker, m_actions->nextMarker});
 
     QMenu* selection = menuBar()->addMenu(tr("Se&lection"));
     selection->addActions({m_actions->boxSelect, m_actions->clearSelection, m_actions->frameSelection});

@@ -47,12 +47,35 @@ TakePointer makeTake(const TakeFileContents& contents, const RecordedTake& recor
     return take;
 }
 
+void setMarks(Take& take, const TakeMeta& meta) {
+    TakeMarks marks;
+    for (const FrameMarker& marker : meta.markers)
+        if (marker.take == take.id())
+            setMarker(marks, {marker.frame, marker.name});
+    for (const PlayRange& range : meta.ranges)
+        if (range.take == take.id())
+            marks.range = {range.in, range.out};
+    take.setMarks(std::move(marks));
+}
+
 } // namespace
 
 TakeInfo infoOf(const Recording& recording, const Take& take) {
     const TakePointer& parent = take.parent();
     return {take.id(), parent ? parent->id() : 0, parent ? take.branchFrame() : 0, take.name(),
             !recording.isListed(take)};
+}
+
+TakeMeta marksOf(const Recording& recording) {
+    TakeMeta meta;
+    for (const TakePointer& take : recording.takes()) {
+        const TakeMarks& marks = take->marks();
+        for (const Marker& marker : marks.markers)
+            meta.markers.push_back({take->id(), marker.frame, marker.name});
+        if (marks.range)
+            meta.ranges.push_back({take->id(), marks.range->in, marks.range->out});
+    }
+    return meta;
 }
 
 TakeFileContents contentsOf(const Recording& recording) {
@@ -64,6 +87,13 @@ TakeFileContents contentsOf(const Recording& recording) {
     for (const auto& [id, take] : needed)
         if (RecordedTake recorded = recordedTake(recording, *take); !recorded.groups.empty())
             contents.takes.push_back(std::move(recorded));
+    contents.meta = marksOf(recording);
+    const auto isThere = [&](TakeId take, int frame) {
+        const RecordedTake* found = findTake(contents, take);
+        return found && frame < found->end();
+    };
+    std::erase_if(contents.meta.markers, [&](const FrameMarker& m) { return !isThere(m.take, m.frame); });
+    std::erase_if(contents.meta.ranges, [&](const PlayRange& r) { return !isThere(r.take, r.in); });
     contents.meta.activeTake = recording.take()->id();
     contents.meta.shownFrame = recording.shownFrame();
     if (!findTake(contents, contents.meta.activeTake))
@@ -87,6 +117,7 @@ LoadedTakes takesOf(const TakeFileContents& contents) {
     LoadedTakes loaded;
     for (const RecordedTake& recorded : contents.takes) {
         const TakePointer take = makeTake(contents, recorded, made);
+        setMarks(*take, contents.meta);
         made[take->id()] = take;
         if (!recorded.info.hidden)
             loaded.takes.push_back(take);

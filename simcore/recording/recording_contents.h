@@ -8,6 +8,9 @@ namespace clothlab {
 
 TakeInfo infoOf(const Recording& recording, const Take& take);
 
+// Markers and ranges of all takes of the list.
+TakeMeta marksOf(const Recording& recording);
+
 // All takes of the list and those that they need, with the frames that are packed. Of scenes, nothing; of the
 // rest, what is open and shown.
 TakeFileContents contentsOf(const Recording& recording);

@@ -4,6 +4,7 @@
 
 #include "simcore/recording/frame.h"
 #include "simcore/recording/frame_group.h"
+#include "simcore/recording/take_marks.h"
 
 #include <memory>
 #include <string>
@@ -31,6 +32,8 @@ public:
     TakeId id() const { return m_id; } // no other of the recording has the same
     const std::string& name() const { return m_name; }
     void setName(std::string name) { m_name = std::move(name); }
+    const TakeMarks& marks() const { return m_marks; } // a branch begins with none
+    void setMarks(TakeMarks marks) { m_marks = std::move(marks); }
     const std::shared_ptr<Take>& parent() const { return m_parent; } // null of one with a start of its own
     int branchFrame() const { return m_firstOwn - 1; }               // the last that is the parent's; else -1
     const Sheet& sheet() const { return *m_sheet; }
@@ -45,6 +48,7 @@ public:
 private:
     TakeId m_id;
     std::string m_name;
+    TakeMarks m_marks;
     std::shared_ptr<Take> m_parent;
     std::shared_ptr<const Sheet> m_sheet; // that of the take with the start
     int m_firstOwn = 0;

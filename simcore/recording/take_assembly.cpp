@@ -224,7 +224,8 @@ void TakeAssembly::checkMeta(TakeFileContents& contents) {
              " of frames that are not there were left out");
     std::erase_if(meta.ranges, [&](const PlayRange& r) { return r.in >= endOf(r.take); });
     for (PlayRange& range : meta.ranges)
-        range.out = std::min(range.out, endOf(range.take) - 1);
+        if (range.out != kOpenEnd)
+            range.out = std::min(range.out, endOf(range.take) - 1);
 }
 
 TakeFileContents TakeAssembly::finish(Diagnostics& diagnostics) {
@@ -239,6 +240,10 @@ TakeFileContents TakeAssembly::finish(Diagnostics& diagnostics) {
     for (const TakeId id : m_order)
         keep(m_takes[id], contents);
     contents.meta = m_meta.value_or(TakeMeta());
+    if (const auto own = m_scenes.find(contents.meta.scene); own != m_scenes.end())
+        contents.scenes.insert(*own); // which may not have been run yet
+    else
+        contents.meta.scene = 0;
     checkMeta(contents);
     diagnostics.insert(diagnostics.end(), m_diagnostics.begin(), m_diagnostics.end());
     return contents;

@@ -3,6 +3,7 @@
 
 #include "simcore/base/diagnostic.h"
 #include "simcore/recording/frame_group.h"
+#include "simcore/recording/take_marks.h"
 
 #include <string>
 #include <string_view>
@@ -27,7 +28,7 @@ struct FrameMarker {
     friend bool operator==(const FrameMarker&, const FrameMarker&) = default;
 };
 
-// In and out points of a take, both included.
+// In and out points of a take, both included; out may be kOpenEnd.
 struct PlayRange {
     TakeId take = 0;
     int in = 0;

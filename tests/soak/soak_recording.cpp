@@ -93,6 +93,7 @@ private:
         }
         Take& take = *m_recording.take();
         for (const Packed& one : packed) {
+            m_recorder.taken(one);
             if (!one.problem.empty())
                 std::fprintf(stderr, "%s\n", one.problem.c_str());
             if (one.group)

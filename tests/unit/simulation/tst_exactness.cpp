@@ -31,6 +31,7 @@ struct Run {
     void record() {
         QSignalSpy shown(&simulation, &Simulation::frameShown);
         simulation.simulateFrame();
+        QVERIFY(simulation.isSimulating());
         while (simulation.isSimulating())
             QVERIFY(shown.wait(kPatience));
     }
@@ -102,7 +103,7 @@ private slots:
         Scene start = test::shippedScene("sphere");
         start.cloth.numWidthPoints = start.cloth.numHeightPoints = 20;
         Run run(start);
-        while (run.simulation.recording().lastFrame() < 60)
+        while (run.simulation.recording().lastFrame() < 60 && !QTest::currentTestFailed())
             run.record();
         run.waitUntilPacked();
         const TakePointer first = run.simulation.recording().take();
