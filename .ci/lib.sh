@@ -11,6 +11,7 @@ JOBS=$(nproc 2>/dev/null || echo 2)
         libgl1-mesa-dri libeigen3-dev nlohmann-json3-dev libzstd-dev libxxhash-dev libstb-dev fonts-dejavu-core)
     TEST_PACKAGES=(xvfb xauth)
     BLENDER_PACKAGES=(blender python3-numpy) # huge; only where the test with Blender is required
+    FFMPEG_PACKAGES=(ffmpeg)                 # only where the tests of video are required
     BENCH_PACKAGES=(libbenchmark-dev)
     CI_PACKAGES=(ccache clang-format clang-tidy)
 }
@@ -32,6 +33,7 @@ say_requirements() {
             zstd >= 1.4, xxHash >= 0.8
   to test:  Xvfb, xvfb-run, xauth, Mesa's software OpenGL, a font such as DejaVu Sans
             Blender >= 3.4 with numpy (only with CLOTHLAB_REQUIRE_BLENDER=1)
+            ffmpeg (only with CLOTHLAB_REQUIRE_FFMPEG=1)
   to time:  Google Benchmark (only ./run bench)"
 }
 

@@ -59,12 +59,16 @@ QString helpText() {
       --scale S                         their units per metre (default 1)
       --measures FILE                   write energies and strains of every frame as .csv
       --report FILE|-                   write measures of the run as JSON
-  clothlab render SCENE                 make a picture; needs an X server, like that of xvfb-run
-      --frame N                         frame to show (default 90)
+  clothlab render SCENE                 make pictures; needs an X server, like that of xvfb-run
+      --output FILE                     the .png to write; with %04d in its name, every frame from 0, the
+                                        start, a file each; or a video .mp4 or .webm, which needs ffmpeg
+      --frame N                         frame to show in one picture (default 90)
+      --frames N                        last frame of a sequence or a video (default 90)
+      --fps F                           frames per second of these, in real time (default the scene's; of
+                                        a video about 30, where the scene has more than 60)
       --shader NAME                     instead of the scene's; "all" for a sheet with every one
       --size WxH                        size of the picture (default 1280x800)
-      --fit                             move the camera so that the cloth fills the picture
-      --output FILE                     the .png to write
+      --fit                             move the camera so that the cloth, in all frames, fills the picture
       --shader-dir DIR, --threads T     as above
   clothlab check SCENE                  say what is wrong or doubtful about a scene
   clothlab info RECORDING               say what is in a .clothtake: takes, changes, sizes

@@ -1,7 +1,7 @@
 #include "app/cli/render_command.h"
 
 #include "app/cli/arguments.h"
-#include "app/document/data_files.h"
+#include "app/cli/render_frames.h"
 #include "app/document/scene_files.h"
 #include "app/picture/camera.h"
 #include "app/picture/save_picture.h"
@@ -12,7 +12,6 @@
 #include "simcore/scene/scene_io.h"
 #include "simcore/solver/frame_runner.h"
 
-#include <QDir>
 #include <QFileInfo>
 #include <QPainter>
 
@@ -20,61 +19,6 @@
 
 namespace clothlab::cli {
 namespace {
-
-const QString kAllShaders = QStringLiteral("all");
-
-struct Options {
-    QString scene;
-    int frame = 90;
-    std::optional<int> threads;
-    QString shader; // empty: the scene's
-    QSize size{1280, 800};
-    QString output;
-    bool fit = false;
-    render::PictureSource source;
-};
-
-// What is wrong with the arguments; empty if nothing is.
-QString parse(const QStringList& arguments, Options& options) {
-    QCommandLineParser parser;
-    parser.addPositionalArgument("scene", {});
-    for (const char* name : {"frame", "shader", "size", "output", "shader-dir", "threads"})
-        parser.addOption({name, {}, "value"});
-    parser.addOption(QCommandLineOption("fit"));
-    if (!parser.parse(QStringList{"clothlab"} + arguments))
-        return parser.errorText();
-    if (parser.positionalArguments().size() != 1)
-        return "render takes one scene: clothlab render SCENE --output FILE.png [OPTIONS]";
-    options.scene = parser.positionalArguments().constFirst();
-    std::optional<int> frame = options.frame;
-    for (const QString& error : {readInteger(parser, "frame", 0, 100'000'000, frame),
-                                 readInteger(parser, "threads", 1, 1024, options.threads)})
-        if (!error.isEmpty())
-            return error;
-    options.frame = *frame;
-    options.output = parser.value("output");
-    options.fit = parser.isSet("fit");
-    if (!options.output.endsWith(".png", Qt::CaseInsensitive))
-        return "--output takes the name of a .png file";
-    if (parser.isSet("size")) {
-        const std::optional<QSize> size = readSize(parser.value("size"));
-        if (!size)
-            return QStringLiteral("--size takes WIDTHxHEIGHT in pixels, not '%1'").arg(parser.value("size"));
-        options.size = *size;
-    }
-    options.source = {dataDirectory("shaders"), dataDirectory("textures")};
-    if (parser.isSet("shader-dir"))
-        options.source.shaderDirectory = parser.value("shader-dir");
-    const QString& directory = options.source.shaderDirectory;
-    if (directory.isEmpty() || !QDir(directory).exists())
-        return QStringLiteral("--shader-dir: there is no folder '%1'").arg(directory);
-    options.shader = parser.value("shader");
-    const QStringList shaders = render::listShaders(directory);
-    if (parser.isSet("shader") && options.shader != kAllShaders && !shaders.contains(options.shader))
-        return QStringLiteral("--shader: there is no '%1' in %2; there are %3, and all")
-            .arg(options.shader, directory, shaders.join(", "));
-    return {};
-}
 
 // Up to the frame asked for. What went wrong, in words; empty if nothing did.
 QString simulateTo(int frame, VerletSolver& solver, ClothState& state) {
@@ -86,22 +30,13 @@ QString simulateTo(int frame, VerletSolver& solver, ClothState& state) {
     return {};
 }
 
-// As the key A does in the window.
-void fitCamera(const PointArray& position, QSize size, Camera& camera) {
-    Eigen::AlignedBox3d box;
-    for (int i = 0; i < int(position.size()); ++i)
-        box.extend(position.at(i));
-    const Vec3 centre = box.center();
-    camera.frame({float(centre.x()), float(centre.y()), float(centre.z())}, box.diagonal().norm() / 2, size);
-}
-
-render::RenderFrame frameOf(const Scene& scene, const Options& options, const VerletSolver& solver,
+render::RenderFrame frameOf(const Scene& scene, const RenderOptions& options, const VerletSolver& solver,
                             const ClothState& state) {
     render::RenderFrame frame;
     Camera camera;
     camera.view = scene.camera.value_or(homeView(scene.cloth));
     if (options.fit)
-        fitCamera(state.position, options.size, camera);
+        fitCamera(boxAround(state.position), options.size, camera);
     frame.viewProjection = camera.viewProjection(options.size);
     frame.cameraPosition = camera.eye();
     frame.time = float(options.frame) / float(scene.simulation.framesPerSecond);
@@ -137,7 +72,8 @@ QImage contactSheet(const std::vector<std::pair<QString, QImage>>& pictures, con
     return sheet;
 }
 
-int drawAndWrite(Scene& scene, const Options& options, const VerletSolver& solver, const ClothState& state) {
+int drawAndWrite(Scene& scene, const RenderOptions& options, const VerletSolver& solver,
+                 const ClothState& state) {
     const QStringList shaders =
         options.shader == kAllShaders ? render::listShaders(options.source.shaderDirectory)
         : options.shader.isEmpty()    ? QStringList{QString::fromStdString(scene.appearance.shader)}
@@ -157,16 +93,17 @@ int drawAndWrite(Scene& scene, const Options& options, const VerletSolver& solve
             std::fprintf(stderr, "clothlab: %s\n", qPrintable(render::words(problem)));
         pictures.emplace_back(shader, *picture);
     }
-    const auto error = savePicture(
-        pictures.size() == 1 ? pictures.front().second : contactSheet(pictures, background), options.output);
+    const auto error =
+        savePicture(pictures.size() == 1 ? pictures.front().second : contactSheet(pictures, background),
+                    options.path.forFrame(0));
     return error ? fail(OutputNotWritten, *error) : int(Done);
 }
 
 } // namespace
 
 int renderCommand(const QStringList& arguments) {
-    Options options;
-    if (const QString error = parse(arguments, options); !error.isEmpty())
+    RenderOptions options;
+    if (const QString error = parseRender(arguments, options); !error.isEmpty())
         return fail(WrongUsage, error + "; see clothlab --help");
     SceneReading reading = loadScene(options.scene.toStdString());
     for (const Diagnostic& diagnostic : reading.diagnostics)
@@ -176,10 +113,14 @@ int renderCommand(const QStringList& arguments) {
     SolverSettings settings;
     settings.threads = options.threads.value_or(0);
     VerletSolver solver(*reading.scene, settings);
+    Scene scene = withAbsoluteFiles(*reading.scene, QFileInfo(options.scene).absolutePath());
+    if (!options.shader.isEmpty() && !options.isOnePicture())
+        scene.appearance.shader = options.shader.toStdString();
+    if (!options.isOnePicture())
+        return renderFrames(solver, scene, options);
     ClothState state = solver.start();
     if (const QString error = simulateTo(options.frame, solver, state); !error.isEmpty())
         return fail(SimulationBlewUp, error);
-    Scene scene = withAbsoluteFiles(*reading.scene, QFileInfo(options.scene).absolutePath());
     return drawAndWrite(scene, options, solver, state);
 }
 

@@ -1,6 +1,7 @@
 #include "app/cli/simulate_command.h"
 
 #include "app/cli/arguments.h"
+#include "app/cli/run_control.h"
 #include "app/cli/run_report.h"
 #include "app/cli/simulate_outputs.h"
 #include "simcore/base/file.h"
@@ -11,16 +12,11 @@
 
 #include <QElapsedTimer>
 
-#include <csignal>
 #include <cstdio>
-#include <unistd.h>
 #include <vector>
 
 namespace clothlab::cli {
 namespace {
-
-std::atomic<bool> stopRequested{false};
-static_assert(std::atomic<bool>::is_always_lock_free, "written by a signal handler");
 
 struct Options {
     QString scene;
@@ -61,17 +57,6 @@ QString parse(const QStringList& arguments, Options& options) {
     return {};
 }
 
-void showProgress(int frame, int frames) {
-    static const bool onTerminal = isatty(STDERR_FILENO) != 0;
-    if (!onTerminal)
-        return;
-    constexpr int width = 40;
-    const int done = frames > 0 ? int(std::int64_t(frame) * width / frames) : width;
-    std::fprintf(stderr, "\r[%.*s%.*s] frame %d / %d%s", done, "########################################",
-                 width - done, "                                        ", frame, frames,
-                 frame == frames ? "\n" : "");
-}
-
 // Calls it with every writer. Returns the first trouble, in words; empty if there is none.
 template <typename Call>
 QString forEachWriter(const FrameWriters& writers, Call call) {
@@ -89,7 +74,7 @@ struct Run {
 };
 
 // Frame after frame, until the last, a blow-up, an interruption or a file that cannot be written.
-void simulateFrames(VerletSolver& solver, const Options& options, Run& run) {
+void simulateFrames(VerletSolver& solver, const Options& options, const std::atomic<bool>& stop, Run& run) {
     const double frameTime = 1.0 / solver.scene().simulation.framesPerSecond;
     ClothState state = run.last->state;
     for (int number = 0;; ++number) {
@@ -100,7 +85,7 @@ void simulateFrames(VerletSolver& solver, const Options& options, Run& run) {
             return;
         QElapsedTimer timer;
         timer.start();
-        const FrameResult result = runFrame(solver, state, stopRequested);
+        const FrameResult result = runFrame(solver, state, stop);
         const double seconds = double(timer.nsecsElapsed()) * 1e-9;
         run.summary.seconds += seconds;
         if (!result.finished) {
@@ -117,7 +102,7 @@ void simulateFrames(VerletSolver& solver, const Options& options, Run& run) {
 }
 
 // However the frames end, what can be written of them is: a file for all frames holds the good ones.
-Run simulate(VerletSolver& solver, const Options& options) {
+Run simulate(VerletSolver& solver, const Options& options, const std::atomic<bool>& stop) {
     Run run;
     run.summary.threads = solver.threads();
     run.last = std::make_shared<const Frame>(
@@ -127,7 +112,7 @@ Run simulate(VerletSolver& solver, const Options& options) {
     });
     if (!run.outputError.isEmpty())
         return run;
-    simulateFrames(solver, options, run);
+    simulateFrames(solver, options, stop, run);
     const QString error = forEachWriter(options.writers, [](FrameWriter& writer) { return writer.finish(); });
     if (run.outputError.isEmpty())
         run.outputError = error;
@@ -161,13 +146,11 @@ int simulateCommand(const QStringList& arguments) {
     if (!reading.scene)
         return InvalidInput;
 
-    stopRequested = false;
-    std::signal(SIGINT, [](int) { stopRequested = true; });
-    std::signal(SIGTERM, [](int) { stopRequested = true; });
+    const std::atomic<bool>& stop = stopOnInterrupt();
     SolverSettings solverSettings;
     solverSettings.threads = options.threads.value_or(0);
     VerletSolver solver(*reading.scene, solverSettings);
-    const Run run = simulate(solver, options);
+    const Run run = simulate(solver, options, stop);
 
     if (!options.report.isEmpty())
         if (const QString error =

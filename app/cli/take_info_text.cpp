@@ -70,10 +70,14 @@ std::string changesText(const TakeFileContents& contents, const RecordedTake& ta
     return text;
 }
 
+std::string sheetText(const Grid& grid) {
+    return format("%d x %d points, %d springs", grid.width, grid.height, grid.springCount());
+}
+
 std::string takeText(const TakeFileContents& contents, const RecordedTake& take, const std::string& indent) {
     const TakeInfo& info = take.info;
     std::string text = indent + format("%u '%s'", info.id, info.name.c_str());
-    text += info.parent == 0 ? std::string()
+    text += info.parent == 0 ? ", " + sheetText(take.groups.front().grid)
                              : format(", branches off frame %d of %u", info.branchFrame, info.parent);
     if (take.groups.empty())
         text += ", no frames of its own";
@@ -106,14 +110,12 @@ std::string treeText(const TakeFileContents& contents) {
 
 std::string takeInfoText(const TakeFileReading& reading) {
     const TakeFileContents& contents = *reading.contents;
-    const Grid grid = contents.scenes.empty() ? Grid() : gridOf(contents.scenes.begin()->second->cloth);
     const Sizes sizes = sizesOf(contents);
     const TakeMeta& meta = contents.meta;
     std::string text =
         format("format       %u, %s\n", reading.version, reading.finished ? "finished" : "not finished") +
-        format("written by   %s %s\n", meta.program.c_str(), meta.version.c_str()) +
-        format("sheet        %d x %d points, %d springs\n", grid.width, grid.height, grid.springCount()) +
-        "error        " + errorText(meta.error) + "\n" +
+        format("written by   %s %s\n", meta.program.c_str(), meta.version.c_str()) + "error        " +
+        errorText(meta.error) + "\n" +
         format("frames       %llu, %s, %.2f times smaller than as floats\n",
                static_cast<unsigned long long>(sizes.frames), megabytes(sizes.frameBytes).c_str(),
                double(sizes.rawBytes) / double(std::max<std::uint64_t>(sizes.frameBytes, 1))) +

@@ -1,8 +1,8 @@
 #include "app/docks/takes_panel.h"
 
-#include "app/docks/scene_difference.h"
 #include "app/docks/text.h"
 #include "app/widgets/icons.h"
+#include "simcore/scene/scene_differences.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -17,6 +17,13 @@ namespace {
 
 enum Column { Name, Frames, Differs };
 
+QStringList differences(const Scene& before, const Scene& after) {
+    QStringList texts;
+    for (const std::string& text : motionDifferences(before, after))
+        texts << QString::fromStdString(text).replace(QLatin1String("->"), QStringLiteral("→"));
+    return texts;
+}
+
 } // namespace
 
 TakesPanel::TakesPanel(Simulation& simulation, QWidget* parent)
@@ -25,7 +32,7 @@ TakesPanel::TakesPanel(Simulation& simulation, QWidget* parent)
     m_tree->setAccessibleName(tr("Takes"));
     m_tree->setHeaderLabels({tr("Take"), tr("Frames"), tr("What differs")});
     m_tree->header()->setStretchLastSection(true);
-    m_tree->setEditTriggers(QAbstractItemView::EditKeyPressed);
+    m_tree->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_tree->setUniformRowHeights(true);
     m_tree->setAllColumnsShowFocus(true);
 
@@ -51,9 +58,12 @@ TakesPanel::TakesPanel(Simulation& simulation, QWidget* parent)
     layout->addLayout(row);
     layout->addWidget(m_tree, 1);
 
+    m_rename->setShortcut(Qt::Key_F2);
     m_delete->setShortcut(QKeySequence::Delete);
-    m_delete->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    QWidget::addAction(m_delete);
+    for (QAction* action : {m_rename, m_delete}) {
+        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+        QWidget::addAction(action);
+    }
     connect(m_open, &QAction::triggered, this, [this] { m_simulation.openTake(selected()); });
     connect(m_rename, &QAction::triggered, this, [this] { m_tree->editItem(m_tree->currentItem(), Name); });
     connect(m_delete, &QAction::triggered, this, [this] { m_simulation.deleteTake(selected()); });

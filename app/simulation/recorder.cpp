@@ -247,6 +247,7 @@ void Recorder::packPending() {
     Packed packed;
     packed.session = m_session;
     packed.group = std::move(group);
+    packed.bytes = bytes;
     m_deliver(std::move(packed));
     for (Checkpoint& pending : m_pendingCheckpoints) {
         auto checkpoint = std::make_shared<const Checkpoint>(std::move(pending));
@@ -263,7 +264,6 @@ void Recorder::packPending() {
     m_pending.clear();
     m_pendingFrames.clear();
     m_pendingCheckpoints.clear();
-    m_bytesWaiting -= bytes;
     releaseMemory();
 }
 

@@ -29,7 +29,8 @@ struct Packed {
     int session = 0; // of begin()
     std::shared_ptr<const FrameGroup> group;
     std::shared_ptr<const Checkpoint> checkpoint;
-    std::string problem; // the journal cannot be written; said once, and then there is none
+    std::size_t bytes = 0; // of the exact frames of the group
+    std::string problem;   // the journal cannot be written; said once, and then there is none
 };
 
 class Recorder {
@@ -54,7 +55,9 @@ public:
     // Packs what is there, however little, and then calls `then` on the recorder's thread.
     void flush(std::function<void()> then);
 
-    std::size_t bytesWaiting() const { return m_bytesWaiting; }   // of frames not packed yet
+    // Of frames that were added, until the group that has them is taken.
+    std::size_t bytesWaiting() const { return m_bytesWaiting; }
+    void taken(const Packed& packed) { m_bytesWaiting -= packed.bytes; }
     std::size_t bytesInMemory() const { return m_bytesInMemory; } // of packed ones
     bool hasJournal() const { return m_hasJournal; }
     // The scene of that number, as frames name it. On any thread.

@@ -1,5 +1,6 @@
 #include "app/simulation/simulation.h"
 
+#include "app/simulation/take_replay.h"
 #include "simcore/inspect/blow_up_text.h"
 
 #include <QLocale>
@@ -14,22 +15,6 @@ namespace {
 template <typename Call>
 void later(QObject* object, Call call) {
     QMetaObject::invokeMethod(object, std::move(call), Qt::QueuedConnection);
-}
-
-// Positions as they are kept, or those of the start if these cannot be read.
-FramePointer roughFrame(const Take& take, int number, std::optional<PointArray> positions) {
-    const RecordedFrame& recorded = take.frame(number);
-    Frame frame;
-    frame.state.position = positions ? std::move(*positions) : take.sheet().start;
-    frame.state.lastPosition = frame.state.position;
-    frame.scene = recorded.scene;
-    frame.time = recorded.time;
-    if (const FrameFacts* facts = factsOf(take, number)) {
-        frame.strainLimitCorrections = facts->strainLimitCorrections;
-        frame.milliseconds = facts->milliseconds;
-    }
-    frame.exact = false;
-    return std::make_shared<const Frame>(std::move(frame));
 }
 
 } // namespace
@@ -312,6 +297,7 @@ void Simulation::repairWay(const Pending& done) {
 }
 
 void Simulation::receive(Packed packed) {
+    m_recorder.taken(packed);
     if (packed.session != m_session)
         return;
     if (!packed.problem.empty())
@@ -357,8 +343,9 @@ void Simulation::stopForBlowUp(const FrameOutcome& outcome) {
 FramePointer Simulation::look(int number) {
     const Take& take = *m_recording.take();
     const RecordedFrame& recorded = take.frame(number);
-    return recorded.exact ? recorded.exact
-                          : roughFrame(take, number, m_reader.positionsOf(*recorded.group, number));
+    return recorded.exact
+               ? recorded.exact
+               : roughFrameOf(recorded, number, take.sheet(), m_reader.positionsOf(*recorded.group, number));
 }
 
 void Simulation::show(int frame) {

@@ -50,6 +50,8 @@ void Actions::addFileActions() {
                      tr("Save a picture of the window"));
     picture = add("picture", tr("Save a Picture of the &View…"), {}, {QKeySequence("Shift+F12")},
                   tr("Save a picture of the view in any size"));
+    exportFrames = add("exportFrames", tr("&Export…"), {}, {QKeySequence("Ctrl+Shift+E")},
+                       tr("Export recorded frames as meshes, caches, pictures or video"));
     quit = add("quit", tr("&Quit"), {}, {QKeySequence("Ctrl+Q")}, tr("Quit ClothLab"));
 }
 

@@ -22,6 +22,7 @@ public:
     QAction* saveRecording = nullptr;
     QAction* screenshot = nullptr;
     QAction* picture = nullptr;
+    QAction* exportFrames = nullptr;
     QAction* quit = nullptr;
 
     QAction* playPause = nullptr;

@@ -25,6 +25,7 @@ public:
     bool save();
     bool saveAs();          // of a scene alone or, by the ending of its name, with the recording
     bool saveRecordingAs(); // both
+    bool saveTo(const QString& path);
     bool isSaving() const { return m_saving; } // a recording, while the window goes on
     bool mayDiscard(); // asks if there are unsaved changes; saves them if the user says so
 
@@ -39,7 +40,6 @@ signals:
 private:
     bool openRecording(const QString& path);
     bool loadRecording(const QString& from, const QString& path, QString& warnings);
-    bool saveTo(const QString& path);
     bool saveRecording(const QString& path);
     bool chooseAndSave(const QString& title, const QString& filters, const QString& ending);
     QString folder() const; // where file choosers begin

@@ -13,6 +13,7 @@
 #include "app/viewport/viewport.h"
 #include "app/widgets/icons.h"
 #include "app/window/actions.h"
+#include "app/window/export_controller.h"
 #include "app/window/file_controller.h"
 #include "app/window/message_bar.h"
 #include "app/window/system_theme.h"
@@ -70,6 +71,8 @@ MainWindow::MainWindow(std::unique_ptr<QSettings> settings, const QString& shade
     layout->addWidget(m_viewport, 1);
     setCentralWidget(centre);
 
+    m_exports = new ExportController(m_document, m_simulation, *m_viewport,
+                                     {m_shaderFolder->path(), m_textureDirectory}, *this);
     makePanels();
     makeToolBar();
     makeMenus();
@@ -91,6 +94,7 @@ MainWindow::MainWindow(std::unique_ptr<QSettings> settings, const QString& shade
 
 MainWindow::~MainWindow() {
     // The panels look at document and simulation, which are gone before QWidget deletes its children.
+    delete m_exports;
     const auto children = findChildren<QWidget*>(Qt::FindDirectChildrenOnly);
     qDeleteAll(children);
 }
@@ -159,6 +163,7 @@ void MainWindow::connectFileActions() {
         statusBar()->showMessage(tr("Saving the recording: %1 %").arg(percent), 2000);
     });
     connect(m_actions->screenshot, &QAction::triggered, this, &MainWindow::choosePicture);
+    connect(m_actions->exportFrames, &QAction::triggered, m_exports, &ExportController::showDialog);
     connect(m_actions->quit, &QAction::triggered, this, &QWidget::close);
     connect(&m_document, &Document::fileChanged, this, &MainWindow::updateTitle);
 }
@@ -182,6 +187,8 @@ void MainWindow::connectSimulationActions() {
 void MainWindow::connectMessages() {
     connect(m_files, &FileController::notice, this, &MainWindow::say);
     connect(m_files, &FileController::problem, this, &MainWindow::showProblem);
+    connect(m_exports, &ExportController::notice, this, &MainWindow::say);
+    connect(m_exports, &ExportController::problem, this, &MainWindow::showProblem);
     connect(&m_document, &Document::sceneReplaced, m_messageBar, &QWidget::hide);
     connect(&m_simulation, &Simulation::notice, this, &MainWindow::say);
     connect(&m_simulation, &Simulation::blowUpChanged, this, [this] {
@@ -239,7 +246,7 @@ std::optional<QString> MainWindow::savePicture(const QString& path) {
 void MainWindow::closeEvent(QCloseEvent* event) {
     if (m_files->isSaving())
         say(tr("The recording is being saved; close the window when it is."));
-    if (m_files->isSaving() || !m_files->mayDiscard() || !mayDropShaderText()) {
+    if (m_files->isSaving() || !m_files->mayDiscard() || !mayDropShaderText() || !m_exports->mayClose()) {
         event->ignore();
         return;
     }

@@ -23,6 +23,7 @@ class ShaderFolder;
 
 class Actions;
 class AppearancePanel;
+class ExportController;
 class FileController;
 class InspectorPanel;
 class MessageBar;
@@ -52,6 +53,7 @@ public:
     Viewport& viewport() { return *m_viewport; }
     Actions& actions() { return *m_actions; }
     FileController& files() { return *m_files; }
+    ExportController& exports() { return *m_exports; }
     MessageBar& messageBar() { return *m_messageBar; }
     SimulationPanel& simulationPanel() { return *m_simulationPanel; }
     SpringsPanel& springsPanel() { return *m_springsPanel; }
@@ -135,6 +137,7 @@ private:
     QString m_textureDirectory;
     QString m_shaderProblem; // as shown above the view
     PictureDialog* m_pictureDialog = nullptr;
+    ExportController* m_exports = nullptr;
     QComboBox* m_shaderSelector = nullptr;
     std::array<QAction*, kSpringTypes> m_springActions{};
     QByteArray m_defaultState;

@@ -11,6 +11,8 @@
 #include "app/viewport/viewport.h"
 #include "app/widgets/icons.h"
 #include "app/window/actions.h"
+#include "app/window/export_controller.h"
+#include "app/window/export_progress.h"
 #include "app/window/file_controller.h"
 #include "app/window/main_window.h"
 #include "app/window/status_line.h"
@@ -92,7 +94,7 @@ void MainWindow::makeMenus() {
     file->addSeparator();
     file->addActions({m_actions->save, m_actions->saveAs, m_actions->saveRecording});
     file->addSeparator();
-    file->addActions({m_actions->picture, m_actions->screenshot});
+    file->addActions({m_actions->exportFrames, m_actions->picture, m_actions->screenshot});
     file->addSeparator();
     file->addAction(m_actions->quit);
 
@@ -191,6 +193,7 @@ void MainWindow::makeToolBar() {
 }
 
 void MainWindow::makeStatusBar() {
+    statusBar()->addPermanentWidget(m_exports->statusWidget());
     statusBar()->addPermanentWidget(new StatusLine(m_document, m_simulation));
     statusBar()->setSizeGripEnabled(false);
 }

@@ -154,6 +154,7 @@ public:
     TemporaryFile& operator=(const TemporaryFile&) = delete;
 
     int get() const { return m_file.get(); }
+    const std::string& path() const { return m_path; }
 
     bool renameTo(const std::string& path) {
         // Without fsync a crash soon after could leave the new name with nothing in it.
@@ -295,6 +296,10 @@ std::optional<std::string> WholeFile::open(const std::string& path) {
 
 std::ostream& WholeFile::out() {
     return m_file->out;
+}
+
+const std::string& WholeFile::temporaryPath() const {
+    return m_file->file.path();
 }
 
 std::optional<std::string> WholeFile::trouble() const {

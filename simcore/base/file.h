@@ -46,6 +46,8 @@ public:
     // Takes bytes out; those after them move up.
     std::optional<std::string> remove(std::uint64_t offset, std::uint64_t count);
     std::optional<std::string> finish();
+    // Where the bytes are until then: for another program that writes them instead of out().
+    const std::string& temporaryPath() const;
 
 private:
     struct Open;

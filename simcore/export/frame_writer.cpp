@@ -97,6 +97,10 @@ std::optional<std::string> FrameWriter::finish() {
     });
 }
 
+void FrameWriter::abandon() {
+    (void)guarded([] { return Trouble("was given up; begin another"); });
+}
+
 std::string meshBesidePath(const std::string& path) {
     return path.substr(0, path.size() - 4) + ".obj"; // all endings have three letters
 }

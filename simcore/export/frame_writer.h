@@ -23,6 +23,8 @@ public:
     std::optional<std::string> begin(const Sheet& sheet, int framesAtMost);
     std::optional<std::string> add(const FramePointer& frame); // of the sheet, in order of time
     std::optional<std::string> finish();                       // after at least one frame
+    // Drops what is not finished, now and in this thread; what a sequence has written stays.
+    void abandon();
 
 protected:
     using Trouble = std::optional<std::string>;

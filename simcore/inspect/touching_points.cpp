@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <utility>
 
 namespace clothlab {
@@ -30,15 +31,31 @@ std::pair<double, double> ends(const std::vector<double>& values) {
             *std::max_element(highest.begin(), highest.end())};
 }
 
+constexpr std::size_t kAtOnce = 4; // points that are copied together
+
 } // namespace
 
-TouchingPoints::TouchingPoints(const Grid& grid)
-    : m_grid(grid), m_cellOf(std::size_t(grid.pointCount())), m_places(std::size_t(grid.pointCount())) {}
+void TouchingPoints::Places::resize(std::size_t count) {
+    for (std::vector<float>* values : {&x, &y, &z})
+        values->resize(count + kAtOnce);
+    point.resize(count + kAtOnce);
+}
 
+TouchingPoints::TouchingPoints(const Grid& grid)
+    : m_width(grid.width), m_columnOf(std::size_t(grid.pointCount())),
+      m_cellOf(std::size_t(grid.pointCount())) {
+    m_places.resize(std::size_t(grid.pointCount()));
+    for (int i = 0; i < grid.pointCount(); ++i)
+        m_columnOf[std::size_t(i)] = grid.place(i).x;
+}
+
+// Without a division, as most points that are near each other are joined.
 bool TouchingPoints::joined(int a, int b) const {
-    const int dy = std::abs(a / m_grid.width - b / m_grid.width);
-    const int dx = std::abs(a % m_grid.width - b % m_grid.width);
-    return (dx <= 1 && dy <= 1) || (dx == 2 && dy == 0) || (dx == 0 && dy == 2);
+    const int across = m_columnOf[std::size_t(b)] - m_columnOf[std::size_t(a)];
+    const int rowsApart = std::abs(b - a - across); // in points
+    const int columnsApart = std::abs(across);
+    return (columnsApart <= 1 && rowsApart <= m_width) || (columnsApart == 2 && rowsApart == 0) ||
+           (columnsApart == 0 && rowsApart == 2 * m_width);
 }
 
 // One cell more than the sheet takes, which stays empty: beyond the ends there is nothing.
@@ -74,28 +91,30 @@ void TouchingPoints::sort(const PointArray& position, double distance) {
     std::uint32_t end = 0;
     for (std::uint32_t& begin : m_begin)
         begin = end += begin;
-    for (std::size_t i = position.size(); i-- > 0;) // from the end of each cell down
-        m_places[--m_begin[m_cellOf[i]]] = {float(position.x[i] - m_lowest[0]),
-                                            float(position.y[i] - m_lowest[1]),
-                                            float(position.z[i] - m_lowest[2]), std::int32_t(i)};
+    for (std::size_t i = position.size(); i-- > 0;) { // from the end of each cell down
+        const std::size_t at = --m_begin[m_cellOf[i]];
+        m_places.x[at] = float(position.x[i] - m_lowest[0]);
+        m_places.y[at] = float(position.y[i] - m_lowest[1]);
+        m_places.z[at] = float(position.z[i] - m_lowest[2]);
+        m_places.point[at] = std::int32_t(i);
+    }
 }
 
+// A few at once, also beyond the end: most runs are short.
 void TouchingPoints::gather(std::uint32_t begin, std::uint32_t end) {
-    Gathered& g = m_gathered;
-    if (g.count + (end - begin) > g.x.size()) {
-        const std::size_t size = 2 * (g.count + (end - begin)) + 64;
-        for (std::vector<float>* values : {&g.x, &g.y, &g.z})
-            values->resize(size);
-        g.point.resize(size);
-        g.isNear.resize(size);
+    const std::size_t count = end - begin;
+    if (m_gatheredCount + count > m_isNear.size()) {
+        m_isNear.resize(2 * (m_gatheredCount + count) + 64);
+        m_gathered.resize(m_isNear.size());
     }
-    for (std::uint32_t i = begin; i < end; ++i) {
-        const Place& place = m_places[i];
-        g.x[g.count] = place.x;
-        g.y[g.count] = place.y;
-        g.z[g.count] = place.z;
-        g.point[g.count++] = place.point;
+    for (std::size_t i = 0; i < count; i += kAtOnce) {
+        const std::size_t to = m_gatheredCount + i;
+        std::memcpy(&m_gathered.x[to], &m_places.x[begin + i], kAtOnce * sizeof(float));
+        std::memcpy(&m_gathered.y[to], &m_places.y[begin + i], kAtOnce * sizeof(float));
+        std::memcpy(&m_gathered.z[to], &m_places.z[begin + i], kAtOnce * sizeof(float));
+        std::memcpy(&m_gathered.point[to], &m_places.point[begin + i], kAtOnce * sizeof(std::int32_t));
     }
+    m_gatheredCount += count;
 }
 
 // The three cells of a row that are next to x.
@@ -124,21 +143,22 @@ void TouchingPoints::gatherAround(std::uint32_t x, std::uint32_t y, std::uint32_
 
 // The first `own` of what is gathered with all of it.
 void TouchingPoints::compare(std::size_t own, float distanceSquared, std::vector<std::uint8_t>& touches) {
-    Gathered& g = m_gathered;
+    const Places& g = m_gathered;
+    const std::size_t count = m_gatheredCount;
     const float* const x = g.x.data();
     const float* const y = g.y.data();
     const float* const z = g.z.data();
-    std::int32_t* const isNear = g.isNear.data();
+    std::int32_t* const isNear = m_isNear.data();
     for (std::size_t i = 0; i < own; ++i) {
         std::int32_t any = 0;
-        for (std::size_t j = i + 1; j < g.count; ++j) {
+        for (std::size_t j = i + 1; j < count; ++j) {
             const float dx = x[j] - x[i];
             const float dy = y[j] - y[i];
             const float dz = z[j] - z[i];
             isNear[j] = dx * dx + dy * dy + dz * dz < distanceSquared ? 1 : 0;
             any |= isNear[j];
         }
-        for (std::size_t j = i + 1; any != 0 && j < g.count; ++j)
+        for (std::size_t j = i + 1; any != 0 && j < count; ++j)
             if (isNear[j] != 0 && !joined(g.point[i], g.point[j])) {
                 touches[std::size_t(g.point[i])] = 1;
                 touches[std::size_t(g.point[j])] = 1;
@@ -154,9 +174,9 @@ void TouchingPoints::find(const PointArray& position, double distance, std::vect
             for (std::uint32_t x = 0; x < m_size[0]; ++x, ++cell) {
                 if (m_begin[cell] == m_begin[cell + 1])
                     continue;
-                m_gathered.count = 0;
+                m_gatheredCount = 0;
                 gather(m_begin[cell], m_begin[cell + 1]);
-                const std::size_t own = m_gathered.count;
+                const std::size_t own = m_gatheredCount;
                 gatherAround(x, y, z);
                 compare(own, float(distance * distance), touches);
             }

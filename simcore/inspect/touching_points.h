@@ -21,16 +21,12 @@ public:
     void find(const PointArray& position, double distance, std::vector<std::uint8_t>& touches);
 
 private:
-    // Single precision, from the middle of the sheet, is as exact as the word touching.
-    struct Place {
-        float x, y, z;
-        std::int32_t point;
-    };
-    // Places that are compared with each other: those of a cell, and of half of the cells around it.
-    struct Gathered {
+    // Points in some order, and room for kAtOnce more. Single precision, from the lowest place of the sheet,
+    // is as exact as the word touching.
+    struct Places {
         std::vector<float> x, y, z;
-        std::vector<std::int32_t> point, isNear;
-        std::size_t count = 0;
+        std::vector<std::int32_t> point;
+        void resize(std::size_t count);
     };
     void measure(const PointArray& position, double distance);
     void sort(const PointArray& position, double distance);
@@ -40,13 +36,17 @@ private:
     void compare(std::size_t own, float distanceSquared, std::vector<std::uint8_t>& touches);
     bool joined(int a, int b) const;
 
-    Grid m_grid;
+    int m_width;
+    std::vector<std::int32_t> m_columnOf; // by point
     std::array<double, 3> m_lowest{};
     std::array<std::uint32_t, 3> m_size{2, 2, 2}; // cells; powers of two
     std::vector<std::uint32_t> m_begin;           // of each cell in m_places; one more at the end
     std::vector<std::uint32_t> m_cellOf;          // by point
-    std::vector<Place> m_places;                  // by cell
-    Gathered m_gathered;
+    Places m_places;                              // by cell
+    // Those that are compared with each other: of a cell, and of half of the cells around it.
+    Places m_gathered;
+    std::vector<std::int32_t> m_isNear;
+    std::size_t m_gatheredCount = 0;
 };
 
 } // namespace clothlab

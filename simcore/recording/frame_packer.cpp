@@ -4,6 +4,7 @@
 #include "simcore/recording/packed_frame.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstdlib>
 
 namespace clothlab {
@@ -160,6 +161,7 @@ double FramePacker::error() const {
 }
 
 std::vector<std::string> FramePacker::pack(std::span<const PointArray* const> frames) {
+    assert(!frames.empty() && frames.size() <= kFramesPerGroup);
     std::vector<KnownFrame> known(frames.size());
     std::vector<std::string> packed(frames.size());
     for (const GroupPlace& place : groupOrder(int(frames.size())))

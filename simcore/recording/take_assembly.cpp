@@ -188,14 +188,15 @@ void TakeAssembly::settle(TakeId id) {
          take != m_takes.end() && !m_settled.contains(take->first) && seen.insert(take->first).second;
          take = m_takes.find(take->second.info.parent))
         line.push_back(take->first);
-    for (auto it = line.rbegin(); it != line.rend(); ++it) {
-        Loose& take = m_takes[*it];
+    std::reverse(line.begin(), line.end());
+    for (const TakeId number : line) {
+        Loose& take = m_takes[number];
         const bool whole = !take.removed && isWhole(take);
-        m_settled[*it] = whole;
+        m_settled[number] = whole;
         if (!whole)
             continue;
         keepCheckpoints(take);
-        m_order.push_back(*it);
+        m_order.push_back(number);
     }
 }
 

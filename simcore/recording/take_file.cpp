@@ -169,15 +169,15 @@ const RecordedTake* findTake(const TakeFileContents& contents, TakeId take) {
     return found == contents.takes.end() ? nullptr : &*found;
 }
 
-const FrameGroup* findGroup(const TakeFileContents& contents, TakeId id, int frame) {
-    const RecordedTake* take = findTake(contents, id);
-    while (take != nullptr && frame < take->info.firstOwnFrame())
-        take = findTake(contents, take->info.parent);
-    if (take == nullptr)
+const FrameGroup* findGroup(const TakeFileContents& contents, TakeId take, int frame) {
+    const RecordedTake* owner = findTake(contents, take);
+    while (owner != nullptr && frame < owner->info.firstOwnFrame())
+        owner = findTake(contents, owner->info.parent);
+    if (owner == nullptr)
         return nullptr;
-    const auto after = std::upper_bound(take->groups.begin(), take->groups.end(), frame,
+    const auto after = std::upper_bound(owner->groups.begin(), owner->groups.end(), frame,
                                         [](int f, const FrameGroup& group) { return f < group.first; });
-    if (after == take->groups.begin() || !std::prev(after)->holds(frame))
+    if (after == owner->groups.begin() || !std::prev(after)->holds(frame))
         return nullptr;
     return &*std::prev(after);
 }

@@ -51,6 +51,6 @@ struct TakeMeta {
 
 std::string writeMeta(const TakeMeta& meta); // JSON
 // Nothing if the text is no JSON object. What is of another type than it should be is left out.
-std::optional<TakeMeta> readMeta(std::string_view json);
+std::optional<TakeMeta> readMeta(std::string_view text);
 
 } // namespace clothlab

@@ -1,10 +1,13 @@
-// How long events wait for the GUI thread while a 200 × 200 sheet runs, and how long Pause takes to act.
+// How long events wait for the GUI thread while a 200 × 200 sheet runs, how long Pause takes to act, and how
+// long they wait while a video of that is exported, where there is a display and ffmpeg.
 //
 //   bench_gui_wait [seconds]
 //
 // A thread posts an event to the GUI thread every millisecond, whether or not the one before was handled, and
 // each is timed from its posting to its handling. Without a display the window is an invisible one, with
 // panels and bars but no picture of the cloth.
+#include "app/viewport/viewport.h"
+#include "app/window/export_controller.h"
 #include "app/window/main_window.h"
 #include "simcore/scene/scene_io.h"
 
@@ -20,6 +23,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
 #include <thread>
 #include <vector>
 
@@ -41,8 +45,9 @@ Scene sheetOf200By200() {
     return scene;
 }
 
-// Waits of all events, in ms, ascending.
-std::vector<double> measureWaits(int seconds) {
+// Waits of all events, in ms, ascending; until done() says so, which is asked now and then, or the time is
+// over.
+std::vector<double> measureWaits(int seconds, const std::function<bool()>& done = {}) {
     std::vector<double> waits;
     std::atomic<bool> stop{false};
     QObject receiver;
@@ -57,6 +62,12 @@ std::vector<double> measureWaits(int seconds) {
     });
     QEventLoop loop;
     QTimer::singleShot(1000 * seconds, &loop, &QEventLoop::quit);
+    QTimer look;
+    QObject::connect(&look, &QTimer::timeout, &loop, [&] {
+        if (done && done())
+            loop.quit();
+    });
+    look.start(20);
     loop.exec();
     stop = true;
     poster.join();
@@ -70,6 +81,26 @@ void print(const char* what, const std::vector<double>& waits) {
     std::printf("%s: %zu events; longest wait %.1f ms, 99.9 %% within %.1f ms, 99 %% within %.1f ms, "
                 "half within %.2f ms\n",
                 what, waits.size(), waits.back(), at(0.999), at(0.99), at(0.5));
+}
+
+void measureExport(MainWindow& window, const QString& path) {
+    if (!window.viewport().hasPicture() || findFfmpeg().isEmpty())
+        return;
+    ExportRequest request;
+    request.kind = ExportKind::Mp4;
+    request.path = path;
+    request.frames = {0, window.simulation().recording().lastFrame(), 1};
+    window.exports().showDialog();
+    measureWaits(1);
+    const auto begin = Clock::now();
+    window.exports().begin(request);
+    const double blocked = millisecondsSince(begin);
+    constexpr int most = 600; // s
+    const auto waits = measureWaits(most, [&] { return !window.exports().isRunning(); });
+    print("exporting MP4", waits);
+    std::printf("%d frames of %d x %d in %.1f s; to begin it took the GUI thread %.1f ms\n",
+                request.frames.count(), request.size.width(), request.size.height(),
+                millisecondsSince(begin) / 1000, blocked);
 }
 
 int measure(int seconds) {
@@ -99,6 +130,7 @@ int measure(int seconds) {
     std::printf("pause %s: %.3f ms; frames recorded after it: %d\n",
                 underWay ? "in the middle of a frame" : "between two frames", took,
                 simulation.recording().frameCount() - recorded);
+    measureExport(window, folder.filePath("run.mp4"));
     return 0;
 }
 

@@ -305,8 +305,9 @@ void TestAppearance::theRangeOfStrainFitsTheRecording() {
     std::vector<float> strains;
     for (int frame = 0; frame <= 40; ++frame)
         greatest = std::max(
-            greatest, pointStrains(scene.cloth, m_window->simulation().sheet(),
-                                   m_window->simulation().recording().frame(frame).exact->state.position, strains));
+            greatest,
+            pointStrains(scene.cloth, m_window->simulation().sheet(),
+                         m_window->simulation().recording().frame(frame).exact->state.position, strains));
     QVERIFY(greatest > 0.01);
     m_window->click(panel().findChild<QWidget*>("fitStrainRange"));
     QVERIFY(look().strainRange >= greatest && look().strainRange < 1.02 * greatest);

@@ -40,7 +40,19 @@ private slots:
         row("SCENE --output a.png --shader phong", "Phong"); // what there is
         row("SCENE --output a.png --shader-dir none", "no folder 'none'");
         row("SCENE --output a.png --shader-dir=", "--shader-dir");
-        row("SCENE --output a.png --frames 3", "frames"); // a window's
+        row("SCENE --output a.png --frames 3", "frame_%04d.png"); // a sequence's
+        row("SCENE --output a.png --fps 30", "frame_%04d.png");
+        row("SCENE --output a%d.png --frame 3", "--frames");
+        row("SCENE --output a.mp4 --frame 3", "--frames");
+        row("SCENE --output a%d.mp4", "leave out");
+        row("SCENE --output a%d%d.png", "at most one");
+        row("SCENE --output a%s.png", "at most one");
+        row("SCENE --output a%d.png --frames -1", "'-1'");
+        row("SCENE --output a%d.png --fps 0", "--fps");
+        row("SCENE --output a%d.png --shader all", "one picture");
+        row("SCENE --output a.webm --shader all", "one picture");
+        row("SCENE --output a.mp4 --size 321x200", "even");
+        row("SCENE --output a.avi", ".webm");
         row("SCENE --output", "output");
     }
     void wrongUsage() {
@@ -75,6 +87,24 @@ private slots:
                                     {"QT_QPA_PLATFORM=offscreen"});
         QVERIFY2(run.status == 4, qPrintable(run.err));
         QVERIFY(!QFile::exists(in("a.png")));
+    }
+
+    void noMoreFramesThanThereAre() {
+        Scene scene = test::tinyScene();
+        scene.simulation.framesPerSecond = 50;
+        QVERIFY(!saveScene(scene, m_scene.toStdString()));
+        const auto run = runProgram({"render", m_scene, "--output", in("a%d.png"), "--fps", "51"},
+                                    {"QT_QPA_PLATFORM=offscreen"});
+        QVERIFY2(run.status == 2, qPrintable(run.err));
+        QVERIFY2(run.err.contains("the scene has 50"), qPrintable(run.err));
+    }
+
+    void videoWithoutFfmpegSaysHowToGetIt() {
+        const auto run = runProgram({"render", m_scene, "--output", in("a.mp4")},
+                                    {"QT_QPA_PLATFORM=offscreen", "PATH=" + m_folder->path()});
+        QVERIFY2(run.status == 6, qPrintable(run.err));
+        QVERIFY2(run.err.contains("a.mp4: ") && run.err.contains("apt install ffmpeg"), qPrintable(run.err));
+        QVERIFY(!QFile::exists(in("a.mp4")));
     }
 
     void withoutADisplayItSaysWhatDoes_data() {

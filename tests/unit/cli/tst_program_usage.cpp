@@ -29,17 +29,18 @@ private slots:
         QCOMPARE(help.status, 0);
         QVERIFY(help.err.isEmpty());
         // The options that these tests try; one that help names must be among them.
-        const QSet<QString> tried{"--screenshot", "--frames",  "--theme",   "--size",       "--fps",
-                                  "--steps",      "--threads", "--output",  "--report",     "--help",
-                                  "--version",    "--frame",   "--shader",  "--shader-dir", "--fit",
-                                  "--axis",       "--scale",   "--measures"};
+        const QSet<QString> tried{"--screenshot", "--frames",  "--theme",    "--size",       "--fps",
+                                  "--steps",      "--threads", "--output",   "--report",     "--help",
+                                  "--version",    "--frame",   "--shader",   "--shader-dir", "--fit",
+                                  "--axis",       "--scale",   "--measures", "--error"};
         QSet<QString> named;
         static const QRegularExpression option("--[a-z-]+");
         for (auto it = option.globalMatch(help.out); it.hasNext();)
             named.insert(it.next().captured());
         QCOMPARE(named, tried);
         for (const char* words :
-             {"clothlab simulate SCENE", "clothlab render SCENE", "clothlab check SCENE", "%04d", "0 done",
+             {"clothlab simulate SCENE", "clothlab render SCENE", "clothlab check SCENE",
+              "clothlab info RECORDING", "clothlab verify RECORDING", "5 a recording", "%04d", "0 done",
               "1 check", "2 wrong usage", "3 the input", "4 the simulation", "6 an output", "130 "})
             QVERIFY2(help.out.contains(words), words);
         QCOMPARE(runProgram({"-h"}).out, help.out);
@@ -68,9 +69,9 @@ private slots:
         row("simulate SCENE --steps 0", "--steps");
         row("simulate SCENE --steps x", "'x'");
         row("simulate SCENE --threads 0", "--threads");
-        row("simulate SCENE --output a.stl", ".obj, .ply, .csv, .pc2, .mdd or .glb");
-        row("simulate SCENE --output a", ".mdd or .glb");
-        row("simulate SCENE --output .obj", ".mdd or .glb");
+        row("simulate SCENE --output a.stl", ".obj, .ply, .csv, .pc2, .mdd, .glb or .clothtake");
+        row("simulate SCENE --output a", ".glb or .clothtake");
+        row("simulate SCENE --output .obj", ".glb or .clothtake");
         row("simulate SCENE --output a%d.pc2", "leave out %d");
         row("simulate SCENE --output %04d.mdd", "all frames");
         row("simulate SCENE --output a_%04d.glb", "all frames");

@@ -49,8 +49,15 @@ std::shared_ptr<const Scene> share(Scene scene) {
     return std::make_shared<const Scene>(std::move(scene));
 }
 
-FramePointer startFrame(const std::shared_ptr<const Scene>& scene) {
-    return std::make_shared<const Frame>(Frame{startState(*scene), scene, 0, 0, 0});
+// One frame after that one.
+FrameRequest nextFrame(std::uint64_t ticket, const std::shared_ptr<const Scene>& scene, FramePointer before,
+                       int number) {
+    return {ticket, [before = std::move(before)] { return before; }, {{scene, {}, {}}}, number};
+}
+
+// The one frame of an outcome; null if there is none.
+FramePointer frameOf(const std::optional<FrameOutcome>& outcome) {
+    return outcome && outcome->frames.size() == 1 ? outcome->frames.front() : nullptr;
 }
 
 // The same frame computed here.
@@ -77,7 +84,7 @@ void letOthersRun(const std::shared_ptr<const Scene>& tiny) {
     Outbox outbox;
     FrameWorker other(outbox.deliver());
     for (int i = 0; i < 20; ++i) {
-        other.request({1, tiny, startFrame(tiny), 1});
+        other.request(nextFrame(1, tiny, startFrame(tiny), 1));
         QVERIFY(outbox.take().has_value());
     }
 }
@@ -93,18 +100,18 @@ private slots:
         FrameWorker worker(outbox.deliver());
         FramePointer frame = startFrame(scene);
         for (int number = 1; number <= 20; ++number) {
-            worker.request({std::uint64_t(100 + number), scene, frame, number});
+            worker.request(nextFrame(std::uint64_t(100 + number), scene, frame, number));
             const auto outcome = outbox.take();
-            QVERIFY(outcome && outcome->frame);
+            QVERIFY(frameOf(outcome));
             QCOMPARE(outcome->ticket, std::uint64_t(100 + number));
             QCOMPARE(outcome->number, number);
             QVERIFY(!outcome->blowUp);
             QVERIFY(outcome->computedOn != std::this_thread::get_id());
-            QVERIFY(outcome->frame->state == stepped(*scene, frame->state));
-            QCOMPARE(outcome->frame->scene, scene);
-            QVERIFY(std::abs(outcome->frame->time - number / 1000.0) < 1e-12);
-            QVERIFY(outcome->frame->milliseconds >= 0);
-            frame = outcome->frame;
+            QVERIFY(frameOf(outcome)->state == stepped(*scene, frame->state));
+            QCOMPARE(frameOf(outcome)->scene, scene);
+            QVERIFY(std::abs(frameOf(outcome)->time - number / 1000.0) < 1e-12);
+            QVERIFY(frameOf(outcome)->milliseconds >= 0);
+            frame = frameOf(outcome);
         }
     }
 
@@ -122,11 +129,11 @@ private slots:
             std::int64_t expected = 0;
             for (int step = 0; step < soft.simulation.stepsPerFrame; ++step)
                 expected += solver.step(state).strainLimitCorrections;
-            worker.request({1, scene, frame, number});
+            worker.request(nextFrame(1, scene, frame, number));
             const auto outcome = outbox.take();
-            QVERIFY(outcome && outcome->frame);
-            QCOMPARE(outcome->frame->strainLimitCorrections, expected);
-            frame = outcome->frame;
+            QVERIFY(frameOf(outcome));
+            QCOMPARE(frameOf(outcome)->strainLimitCorrections, expected);
+            frame = frameOf(outcome);
             all += expected;
         }
         QVERIFY(all > 0);
@@ -151,10 +158,10 @@ private slots:
         for (const Scene& each : {*scene, changed, finer, wider, *scene}) {
             const auto shared = share(each);
             const FramePointer from = each.cloth.numHeightPoints == 4 ? first : startFrame(shared);
-            worker.request({1, shared, from, 1});
+            worker.request(nextFrame(1, shared, from, 1));
             const auto outcome = outbox.take();
-            QVERIFY(outcome && outcome->frame);
-            QVERIFY(outcome->frame->state == stepped(each, from->state));
+            QVERIFY(frameOf(outcome));
+            QVERIFY(frameOf(outcome)->state == stepped(each, from->state));
         }
     }
 
@@ -177,28 +184,28 @@ private slots:
         FrameWorker worker(outbox.deliver());
         FramePointer from = startFrame(scene);
         for (int number = 1; number < frame; ++number) {
-            worker.request({1, scene, from, number});
+            worker.request(nextFrame(1, scene, from, number));
             const auto outcome = outbox.take();
-            QVERIFY(outcome && outcome->frame && !outcome->blowUp);
-            from = outcome->frame;
+            QVERIFY(frameOf(outcome) && !outcome->blowUp);
+            from = frameOf(outcome);
         }
-        worker.request({9, scene, from, frame});
+        worker.request(nextFrame(9, scene, from, frame));
         const auto outcome = outbox.take();
         QVERIFY(outcome && outcome->blowUp);
-        QVERIFY(!outcome->frame);
+        QVERIFY(outcome->frames.empty());
         QCOMPARE(outcome->ticket, 9U);
-        QCOMPARE(outcome->number, frame);
+        QCOMPARE(outcome->blowUpFrame, frame);
         QCOMPARE(outcome->blowUpStep, step);
         QCOMPARE(outcome->blowUp->point, blowUp->point);
         QCOMPARE(outcome->blowUp->phase, blowUp->phase);
-        QVERIFY(outcome->scene == scene);
+        QVERIFY(outcome->blowUpScene == scene);
 
         // And the worker goes on with what is stable.
         const auto tiny = share(test::tinyScene());
-        worker.request({10, tiny, startFrame(tiny), 1});
+        worker.request(nextFrame(10, tiny, startFrame(tiny), 1));
         const auto after = outbox.take();
-        QVERIFY(after && after->frame);
-        QVERIFY(after->frame->state == stepped(*tiny, startState(*tiny)));
+        QVERIFY(frameOf(after));
+        QVERIFY(frameOf(after)->state == stepped(*tiny, startState(*tiny)));
     }
 
     // deliver() is called on the worker's thread, so nothing is begun while it is in there.
@@ -212,11 +219,11 @@ private slots:
             const std::scoped_lock lock(handOver); // not before the worker is known here
             if (outcome.ticket == 1)
                 for (std::uint64_t ticket = 2; ticket <= 5; ++ticket)
-                    requests->request({ticket, scene, startFrame(scene), 1});
+                    requests->request(nextFrame(ticket, scene, startFrame(scene), 1));
             deliver(std::move(outcome));
         });
         requests = &worker;
-        worker.request({1, scene, startFrame(scene), 1});
+        worker.request(nextFrame(1, scene, startFrame(scene), 1));
         handOver.unlock();
         QCOMPARE(outbox.take().value_or(FrameOutcome{}).ticket, 1U);
         QCOMPARE(outbox.take().value_or(FrameOutcome{}).ticket, 5U);
@@ -232,19 +239,19 @@ private slots:
         FrameWorker worker([&, deliver = outbox.deliver()](FrameOutcome outcome) {
             const std::scoped_lock lock(handOver);
             if (outcome.ticket == 1) {
-                requests->request({2, scene, startFrame(scene), 1});
+                requests->request(nextFrame(2, scene, startFrame(scene), 1));
                 requests->cancel();
             }
             deliver(std::move(outcome));
         });
         requests = &worker;
-        worker.request({1, scene, startFrame(scene), 1});
+        worker.request(nextFrame(1, scene, startFrame(scene), 1));
         handOver.unlock();
         QCOMPARE(outbox.take().value_or(FrameOutcome{}).ticket, 1U);
         letOthersRun(scene); // time for the second to be computed, too
         QCOMPARE(outbox.size(), 0U);
         // cancel() says nothing of requests after it.
-        worker.request({3, scene, startFrame(scene), 1});
+        worker.request(nextFrame(3, scene, startFrame(scene), 1));
         QCOMPARE(outbox.take().value_or(FrameOutcome{}).ticket, 3U);
         QCOMPARE(outbox.size(), 0U);
     }
@@ -254,13 +261,47 @@ private slots:
         const auto endless = share(endlessScene());
         Outbox outbox;
         FrameWorker worker(outbox.deliver());
-        worker.request({1, endless, startFrame(endless), 1});
+        worker.request(nextFrame(1, endless, startFrame(endless), 1));
         letOthersRun(tiny);
         worker.cancel();
-        worker.request({2, tiny, startFrame(tiny), 1}); // its turn comes within a step
+        worker.request(nextFrame(2, tiny, startFrame(tiny), 1)); // its turn comes within a step
         const auto outcome = outbox.take();
         QVERIFY(outcome.has_value());
         QCOMPARE(outcome->ticket, 2U);
+    }
+
+    // A run that was recorded, with other parameters in its middle, from its start to its end.
+    void framesOneAfterTheOther() {
+        const auto scene = share(test::tinyScene());
+        Scene soft = *scene;
+        soft.cloth.ks = 100;
+        const auto changed = share(soft);
+        std::vector<ClothState> states{startState(*scene)};
+        FrameRequest request = nextFrame(1, scene, startFrame(scene), 1);
+        request.frames.clear();
+        for (int i = 1; i <= 12; ++i) {
+            const auto& with = i < 6 ? scene : changed;
+            states.push_back(stepped(*with, states.back()));
+            request.frames.push_back({with, 100.0 + i, stateHash(states.back())});
+        }
+        Outbox outbox;
+        FrameWorker worker(outbox.deliver());
+        worker.request(request);
+        const auto outcome = outbox.take();
+        QVERIFY(outcome && outcome->frames.size() == 12 && outcome->number == 1 && !outcome->differs);
+        for (std::size_t i = 1; i <= 12; ++i) {
+            QVERIFY(outcome->frames[i - 1]->state == states[i]);
+            QCOMPARE(outcome->frames[i - 1]->scene, i < 6 ? scene : changed);
+            QCOMPARE(outcome->frames[i - 1]->milliseconds, 100.0 + double(i));
+        }
+        ++*request.frames.back().stateHash; // as if it had been recorded by another program
+        worker.request(request);
+        const auto other = outbox.take();
+        QVERIFY(other && other->differs);
+        request.before = [] { return FramePointer(); };
+        worker.request(request);
+        const auto nothing = outbox.take();
+        QVERIFY(nothing && nothing->frames.empty() && !nothing->blowUp);
     }
 
     void cancellingNothingIsNothing() {
@@ -269,10 +310,10 @@ private slots:
         FrameWorker worker(outbox.deliver());
         worker.cancel();
         worker.cancel();
-        worker.request({1, scene, startFrame(scene), 1});
+        worker.request(nextFrame(1, scene, startFrame(scene), 1));
         QVERIFY(outbox.take().has_value());
         worker.cancel();
-        worker.request({2, scene, startFrame(scene), 1});
+        worker.request(nextFrame(2, scene, startFrame(scene), 1));
         QCOMPARE(outbox.take().value_or(FrameOutcome{}).ticket, 2U);
     }
 
@@ -283,13 +324,13 @@ private slots:
         Outbox outbox;
         {
             FrameWorker worker(outbox.deliver());
-            worker.request({1, endless, startFrame(endless), 1});
+            worker.request(nextFrame(1, endless, startFrame(endless), 1));
             letOthersRun(tiny);
         }
         QCOMPARE(outbox.size(), 0U);
         {
             FrameWorker worker(outbox.deliver()); // perhaps before it has begun
-            worker.request({1, endless, startFrame(endless), 1});
+            worker.request(nextFrame(1, endless, startFrame(endless), 1));
         }
         { const FrameWorker idle(outbox.deliver()); }
         QCOMPARE(outbox.size(), 0U);
@@ -321,18 +362,18 @@ private slots:
                 else if (dice == 1)
                     std::this_thread::yield();
                 else
-                    ++ticket, worker.request({ticket, scenes[ticket % 2], start, 1});
+                    ++ticket, worker.request(nextFrame(ticket, scenes[ticket % 2], start, 1));
             }
             ++ticket; // the last one nobody cancels: it must come
-            worker.request({ticket, scenes[ticket % 2], start, 1});
+            worker.request(nextFrame(ticket, scenes[ticket % 2], start, 1));
             for (std::uint64_t last = 0; last != ticket;) {
                 const auto outcome = outbox.take();
-                QVERIFY(outcome && outcome->frame);
+                QVERIFY(frameOf(outcome));
                 QVERIFY(outcome->ticket > last); // in order, none twice
                 last = outcome->ticket;
-                QVERIFY(outcome->frame->state == expected[last % 2]);
+                QVERIFY(frameOf(outcome)->state == expected[last % 2]);
             }
-            worker.request({ticket + 1, scene, start, 1}); // under way or not when the worker goes
+            worker.request(nextFrame(ticket + 1, scene, start, 1)); // under way or not when the worker goes
         }
         QVERIFY(outbox.size() <= 1);
     }
