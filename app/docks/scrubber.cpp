@@ -217,7 +217,7 @@ void Scrubber::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void Scrubber::dragHandle(double x) {
-    const FrameRange range = m_simulation.marks().range.value_or(FrameRange{});
+    const InOutPoints range = m_simulation.marks().range.value_or(InOutPoints{});
     if (m_dragged == Handle::In)
         m_simulation.setInPoint(std::min(frameAt(x), range.out), m_gesture);
     else

@@ -120,8 +120,8 @@ void Scrubber::paintPlot(QPainter& painter) const {
     const QColor fill = between(colors.field, colors.accent, 0.3);
     const QColor line = between(colors.field, colors.accent, 0.75);
     for (int column = 0; column < columns; ++column) {
-        const int first = std::min(int(column * framesPerColumn + 0.5), end - 1);
-        const int last = std::clamp(int((column + 1) * framesPerColumn + 0.5), first + 1, end);
+        const int first = std::min(int(std::lround(column * framesPerColumn)), end - 1);
+        const int last = std::clamp(int(std::lround((column + 1) * framesPerColumn)), first + 1, end);
         const auto extent = m_plot.extent(first, last);
         const double x = area.left() + column * pixel;
         const double top = yOf(double(extent.greatest));

@@ -9,7 +9,7 @@ namespace {
 constexpr double kShortestFrame = 1e-5; // s
 constexpr double kMostLate = 10'000;    // ms; more is not playing any more, but a machine that slept
 
-bool isOpen(const std::optional<FrameRange>& range) {
+bool isOpen(const std::optional<InOutPoints>& range) {
     return !range || range->out == kOpenEnd;
 }
 
@@ -33,7 +33,7 @@ void Playback::setSettings(const PlaybackSettings& settings, double now) {
 
 // Of what is played without recording.
 Playback::Limits Playback::limits(const Played& played) const {
-    const FrameRange range = played.range.value_or(FrameRange{});
+    const InOutPoints range = played.range.value_or(InOutPoints{});
     if (m_settings.repeat == Repeat::Once)
         return {m_keepsToRange ? range.in : 0, played.lastFrame};
     return {range.in, std::min(range.out, played.lastFrame)};

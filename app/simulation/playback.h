@@ -36,7 +36,7 @@ public:
     struct Played {
         int lastFrame = 0;
         int endOfRun = 0; // after it, the next frame is a new one
-        std::optional<FrameRange> range;
+        std::optional<InOutPoints> range;
         std::function<double(int frame)> time; // simulated seconds
         double newFrame = 0.01;                // simulated seconds that one adds
     };

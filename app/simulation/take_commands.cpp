@@ -64,17 +64,17 @@ void Simulation::removeMarker(int frame) {
 
 void Simulation::setInPoint(int frame, int gesture) {
     TakeMarks changed = marks();
-    FrameRange range = changed.range.value_or(FrameRange{});
+    InOutPoints range = changed.range.value_or(InOutPoints{});
     range.in = frame;
     if (range.out < frame)
         range.out = kOpenEnd;
-    changed.range = range == FrameRange{} ? std::nullopt : std::optional(range);
+    changed.range = range == InOutPoints{} ? std::nullopt : std::optional(range);
     setMarks(tr("set the in point"), std::move(changed), gesture);
 }
 
 void Simulation::setOutPoint(int frame, int gesture) {
     TakeMarks changed = marks();
-    FrameRange range = changed.range.value_or(FrameRange{});
+    InOutPoints range = changed.range.value_or(InOutPoints{});
     range.out = frame;
     if (range.in > frame)
         range.in = 0;
@@ -132,6 +132,7 @@ bool Simulation::removeTake(const TakePointer& take) {
 void Simulation::insertTake(const TakePointer& take) {
     m_recording.insert(take);
     tellTake(*take);
+    tellMeta(); // its marks
     emit takesChanged();
 }
 

@@ -159,12 +159,14 @@ void MainWindow::showKeys() {
                              (action->statusTip().isEmpty() ? action->text() : action->statusTip())
                                  .toHtmlEscaped());
     }
-    const QString mouse =
-        tr("<p><b>In the view:</b> left drag orbits; right, middle or Shift+left drag pans; the wheel "
-           "zooms to the cursor; a click selects a point mass or a spring, Shift+click adds, "
-           "Ctrl+click removes; Tab hides all panels.</p><p><b>In number fields:</b> expressions such "
-           "as 1/90; Up, Down and the wheel step; drag the label sideways; double-click it for the "
-           "default.</p>");
+    const QString mouse = tr(
+        "<p><b>In the view:</b> left drag orbits; right, middle or Shift+left drag pans; the wheel "
+        "zooms to the cursor; a click selects a point mass or a spring, Shift+click adds, "
+        "Ctrl+click removes; Tab hides all panels.</p><p><b>In the timeline:</b> a drag shows the frames; "
+        "rest on one for a picture of it; click a marker to go there, double-click it to rename, Delete "
+        "removes it; drag [ and ] to move in and out point.</p><p><b>In number fields:</b> expressions such "
+        "as 1/90; Up, Down and the wheel step; drag the label sideways; double-click it for the "
+        "default.</p>");
     auto* dialog = new QDialog(this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(tr("Keys and mouse"));

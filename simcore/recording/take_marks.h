@@ -18,15 +18,15 @@ struct Marker {
 inline constexpr int kOpenEnd = std::numeric_limits<int>::max();
 
 // In and out points, both included; in <= out.
-struct FrameRange {
+struct InOutPoints {
     int in = 0;
     int out = kOpenEnd;
-    friend bool operator==(const FrameRange&, const FrameRange&) = default;
+    friend bool operator==(const InOutPoints&, const InOutPoints&) = default;
 };
 
 struct TakeMarks {
     std::vector<Marker> markers; // by frame, at most one a frame
-    std::optional<FrameRange> range;
+    std::optional<InOutPoints> range;
     friend bool operator==(const TakeMarks&, const TakeMarks&) = default;
 };
 

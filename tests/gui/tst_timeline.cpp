@@ -349,15 +349,15 @@ void TestTimeline::inAndOutPointsAreDragged() {
     const int steps = m_window->document().undoStack().count();
     const int frame = m_window->frame();
     m_window->drag(&scrubber(), onMarks(20), onMarks(30));
-    QCOMPARE(simulation().marks().range, (FrameRange{30, 60}));
+    QCOMPARE(simulation().marks().range, (InOutPoints{30, 60}));
     QCOMPARE(m_window->document().undoStack().count(), steps + 1); // one step
     m_window->drag(&scrubber(), onMarks(60), onMarks(10));         // not past the other
-    QCOMPARE(simulation().marks().range, (FrameRange{30, 30}));
+    QCOMPARE(simulation().marks().range, (InOutPoints{30, 30}));
     QCOMPARE(m_window->frame(), frame); // that was no scrubbing
     m_window->key(Qt::Key_Z, Qt::ControlModifier);
-    QCOMPARE(simulation().marks().range, (FrameRange{30, 60}));
+    QCOMPARE(simulation().marks().range, (InOutPoints{30, 60}));
     m_window->key(Qt::Key_Z, Qt::ControlModifier);
-    QCOMPARE(simulation().marks().range, (FrameRange{20, 60}));
+    QCOMPARE(simulation().marks().range, (InOutPoints{20, 60}));
     m_window->key(Qt::Key_X, Qt::AltModifier);
     QVERIFY(!simulation().marks().range);
     QVERIFY(!actions().clearRange->isEnabled());

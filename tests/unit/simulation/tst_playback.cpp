@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kFrame = 1000.0 / 90; // ms
 
-Playback::Played recorded(int frames, std::optional<FrameRange> range = {}) {
+Playback::Played recorded(int frames, std::optional<InOutPoints> range = {}) {
     return {frames - 1, frames - 1, range, [](int frame) { return frame / 90.0; }, 1.0 / 90};
 }
 
@@ -155,7 +155,7 @@ private slots:
             const int last = random.integer(5, 60);
             const int in = random.integer(0, last - 1);
             const int out = random.integer(0, 3) == 0 ? kOpenEnd : random.integer(in + 1, last + 20);
-            Player player(recorded(last + 1, FrameRange{in, out}));
+            Player player(recorded(last + 1, InOutPoints{in, out}));
             player.played.endOfRun = random.integer(0, last); // what is stale is recorded, too
             player.set(kSpeeds[std::size_t(random.integer(0, 6))], random.integer(0, 1) == 1,
                        random.integer(0, 1) == 1 ? Repeat::Loop : Repeat::PingPong);
@@ -173,7 +173,7 @@ private slots:
     }
 
     void pingPongTurnsRoundAtBothEnds() {
-        Player player(recorded(20, FrameRange{4, 7}));
+        Player player(recorded(20, InOutPoints{4, 7}));
         player.set(1, false, Repeat::PingPong);
         QVERIFY(player.begin(Direction::Forward, 5));
         player.run(9);
@@ -230,7 +230,7 @@ private slots:
     }
 
     void onceForwardStopsAtTheOutPointIfItBeganBeforeIt() {
-        Player player(recorded(20, FrameRange{3, 10}));
+        Player player(recorded(20, InOutPoints{3, 10}));
         player.set(1, false, Repeat::Once);
         QVERIFY(player.begin(Direction::Forward, 1));
         player.run(100);
@@ -243,7 +243,7 @@ private slots:
         player.run(40);
         QVERIFY(!player.ended && player.frame > 20);
 
-        Player beyond(recorded(5, FrameRange{0, 10})); // which is not recorded yet
+        Player beyond(recorded(5, InOutPoints{0, 10})); // which is not recorded yet
         beyond.set(4, true, Repeat::Once);
         QVERIFY(beyond.begin(Direction::Forward, 4));
         beyond.run(100);
@@ -254,7 +254,7 @@ private slots:
 
     void backwardGoesToTheStartOrTheInPoint() {
         for (const bool realTime : {false, true}) {
-            Player player(recorded(20, FrameRange{6, 12}));
+            Player player(recorded(20, InOutPoints{6, 12}));
             player.set(1, realTime, Repeat::Once);
             QVERIFY(player.begin(Direction::Backward, 15));
             player.run(100);
@@ -278,14 +278,14 @@ private slots:
         QCOMPARE(player.shown, (std::vector<int>{19, 18}));
         QCOMPARE(player.times[1] - player.times[0], kFrame);
 
-        player.played.range = FrameRange{6, 12};
+        player.played.range = InOutPoints{6, 12};
         QVERIFY(player.begin(Direction::Backward, 6));
         QCOMPARE(player.frame, 12);
         Player nothing(recorded(1));
         QVERIFY(!nothing.begin(Direction::Backward, 0));
         nothing.set(1, false, Repeat::Loop);
         QVERIFY(!nothing.begin(Direction::Forward, 0));
-        Player notThere(recorded(5, FrameRange{7, 9}));
+        Player notThere(recorded(5, InOutPoints{7, 9}));
         notThere.set(1, false, Repeat::Loop);
         QVERIFY(!notThere.begin(Direction::Forward, 2));
     }
