@@ -56,7 +56,7 @@ void tell(const render::Problems& problems) {
 
 // The box around the sheet in all of the frames, so that the camera need not move. It takes the run once
 // more.
-Eigen::AlignedBox3d boxOfAll(VerletSolver& solver, const FrameRange& range, const std::atomic<bool>& stop) {
+Eigen::AlignedBox3d boxOfAll(VerletSolver& solver, const ExportRange& range, const std::atomic<bool>& stop) {
     const FrameSource source = sourceOf(solver, range.last, stop);
     Eigen::AlignedBox3d box;
     std::string reason;
@@ -70,7 +70,7 @@ Eigen::AlignedBox3d boxOfAll(VerletSolver& solver, const FrameRange& range, cons
 }
 
 PictureLook lookOf(VerletSolver& solver, const Scene& scene, const RenderOptions& options,
-                   const FrameRange& range, const std::atomic<bool>& stop) {
+                   const ExportRange& range, const std::atomic<bool>& stop) {
     PictureLook look;
     look.scene = std::make_shared<const Scene>(scene);
     look.sheet = solver.sheet();
@@ -138,7 +138,7 @@ int renderFrames(VerletSolver& solver, const Scene& scene, const RenderOptions& 
     const double step = options.framesPerSecond ? double(recorded) / *options.framesPerSecond
                         : options.video         ? videoStep(recorded)
                                                 : 1;
-    const FrameRange range{0, options.frames, step};
+    const ExportRange range{0, options.frames, step};
     const std::atomic<bool>& stop = stopOnInterrupt();
     const auto writer = writerOf(options, recorded / step, lookOf(solver, scene, options, range, stop), stop);
     const int count = range.count();

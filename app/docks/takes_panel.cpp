@@ -38,11 +38,12 @@ TakesPanel::TakesPanel(Simulation& simulation, QWidget* parent)
 
     auto* row = new QHBoxLayout;
     row->setSpacing(2);
-    m_open = addAction("openTake", tr("Open"), "open", tr("Show this take, with the scene it was made with"));
-    m_rename = addAction("renameTake", tr("Rename"), "select", tr("Give this take another name (F2)"));
+    m_openAction =
+        addAction("openTake", tr("Open"), "open", tr("Show this take, with the scene it was made with"));
+    m_renameAction = addAction("renameTake", tr("Rename"), "select", tr("Give this take another name (F2)"));
     m_delete =
         addAction("deleteTake", tr("Delete"), "close", tr("Delete this take; undo brings it back (Del)"));
-    for (QAction* action : {m_open, m_rename, m_delete}) {
+    for (QAction* action : {m_openAction, m_renameAction, m_deleteAction}) {
         auto* button = new QToolButton;
         button->setDefaultAction(action);
         button->setToolButtonStyle(Qt::ToolButtonTextOnly);
@@ -58,16 +59,17 @@ TakesPanel::TakesPanel(Simulation& simulation, QWidget* parent)
     layout->addLayout(row);
     layout->addWidget(m_tree, 1);
 
-    m_rename->setShortcut(Qt::Key_F2);
-    m_delete->setShortcut(QKeySequence::Delete);
-    for (QAction* action : {m_rename, m_delete}) {
+    m_renameAction->setShortcut(Qt::Key_F2);
+    m_deleteAction->setShortcut(QKeySequence::Delete);
+    for (QAction* action : {m_renameAction, m_deleteAction}) {
         action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
         QWidget::addAction(action);
     }
-    connect(m_open, &QAction::triggered, this, [this] { m_simulation.openTake(selected()); });
-    connect(m_rename, &QAction::triggered, this, [this] { m_tree->editItem(m_tree->currentItem(), Name); });
-    connect(m_delete, &QAction::triggered, this, [this] { m_simulation.deleteTake(selected()); });
-    connect(m_tree, &QTreeWidget::itemActivated, m_open, &QAction::trigger);
+    connect(m_openAction, &QAction::triggered, this, [this] { m_simulation.openTake(selected()); });
+    connect(m_renameAction, &QAction::triggered, this,
+            [this] { m_tree->editItem(m_tree->currentItem(), Name); });
+    connect(m_deleteAction, &QAction::triggered, this, [this] { m_simulation.deleteTake(selected()); });
+    connect(m_tree, &QTreeWidget::itemActivated, m_openAction, &QAction::trigger);
     connect(m_tree, &QTreeWidget::itemChanged, this, &TakesPanel::rename);
     connect(m_tree, &QTreeWidget::currentItemChanged, this, &TakesPanel::updateActions);
     connect(&simulation, &Simulation::takesChanged, this, &TakesPanel::showTakes);
@@ -97,7 +99,10 @@ QTreeWidgetItem* TakesPanel::item(TakeId id) const {
 
 void TakesPanel::showTakes() {
     const bool was = std::exchange(m_showing, true);
-    const TakeId current = selected();
+    // What was chosen stays so; with the open take, the one that is opened then.
+    const TakeId open = m_simulation.recording().take()->id();
+    const TakeId current = selected() == m_open ? open : selected();
+    m_open = open;
     m_tree->clear();
     m_changes.clear();
     const Recording& recording = m_simulation.recording();
@@ -116,7 +121,7 @@ void TakesPanel::showTakes() {
     }
     m_tree->expandAll();
     QTreeWidgetItem* chosen = item(current);
-    m_tree->setCurrentItem(chosen ? chosen : item(recording.take()->id()));
+    m_tree->setCurrentItem(chosen ? chosen : item(open));
     for (const Column column : {Name, Frames})
         m_tree->resizeColumnToContents(column);
     m_showing = was;
@@ -194,9 +199,10 @@ void TakesPanel::updateActions() {
         action->setEnabled(allowed);
         action->setToolTip(allowed ? action->property("tip").toString() : whyNot);
     };
-    allow(m_open, id != 0 && !open, id == 0 ? tr("Choose a take first") : tr("This take is open"));
-    allow(m_rename, id != 0, tr("Choose a take first"));
-    allow(m_delete, id != 0 && !only, id == 0 ? tr("Choose a take first") : tr("This is the only take"));
+    allow(m_openAction, id != 0 && !open, id == 0 ? tr("Choose a take first") : tr("This take is open"));
+    allow(m_renameAction, id != 0, tr("Choose a take first"));
+    allow(m_deleteAction, id != 0 && !only,
+          id == 0 ? tr("Choose a take first") : tr("This is the only take"));
 }
 
 void TakesPanel::rename(QTreeWidgetItem* changed) {

@@ -39,9 +39,10 @@ private:
 
     Simulation& m_simulation;
     QTreeWidget* m_tree;
-    QAction* m_open;
-    QAction* m_rename;
-    QAction* m_delete;
+    QAction* m_openAction;
+    QAction* m_renameAction;
+    QAction* m_deleteAction;
+    TakeId m_open = 0; // as last shown
     std::map<TakeId, Changes> m_changes;
     bool m_showing = false; // what changes in the tree was not typed
 };

@@ -26,7 +26,7 @@ QString whyNot(ExportKind kind);    // it cannot be had here, in words; empty if
 struct ExportRequest {
     ExportKind kind = ExportKind::ObjFiles;
     QString path; // with ending(); of a sequence: without the numbers
-    FrameRange frames;
+    ExportRange frames;
     Placement placement;         // if hasPlacement()
     QSize size{1280, 720};       // pixels, if hasPictures()
     double framesPerSecond = 30; // if isVideo()

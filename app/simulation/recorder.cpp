@@ -36,9 +36,22 @@ void Recorder::post(std::function<void()> job) {
     m_wake.notify_one();
 }
 
+// Here and now, so that whoever removes the file later removes it for good. Null if it cannot be written.
+std::shared_ptr<Recorder::Journal> Recorder::openJournal(const std::string& path) {
+    if (path.empty())
+        return nullptr;
+    auto journal = std::make_shared<Journal>();
+    journal->out.open(path, std::ios::binary | std::ios::trunc);
+    journal->file = SharedFile::open(path).file;
+    if (!journal->out || !journal->file)
+        return nullptr;
+    journal->writer.emplace(journal->out);
+    return journal;
+}
+
 void Recorder::begin(int session, const std::string& journal, double error,
                      std::shared_ptr<const TakeFileContents> contents) {
-    post([this, session, journal, error, contents = std::move(contents)] {
+    post([this, session, journal, opened = openJournal(journal), error, contents = std::move(contents)] {
         packPending();
         m_session = session;
         {
@@ -51,7 +64,10 @@ void Recorder::begin(int session, const std::string& journal, double error,
         m_bytesInMemory = 0;
         m_sheet = nullptr;
         m_error = error;
-        openJournal(journal);
+        m_journal = opened;
+        m_hasJournal = m_journal != nullptr;
+        if (!journal.empty() && !m_journal)
+            loseJournal();
         if (contents)
             adopt(*contents);
     });
@@ -122,23 +138,6 @@ void Recorder::run() {
     packPending();
 }
 
-void Recorder::openJournal(const std::string& path) {
-    m_journal.reset();
-    m_hasJournal = false;
-    if (path.empty())
-        return;
-    m_journal.emplace();
-    m_journal->out.open(path, std::ios::binary | std::ios::trunc);
-    auto opening = SharedFile::open(path);
-    m_journal->file = opening.file;
-    if (!m_journal->out || !m_journal->file) {
-        loseJournal();
-        return;
-    }
-    m_journal->writer.emplace(m_journal->out);
-    m_hasJournal = true;
-}
-
 // Into the journal, if there is one; then the payload need not stay in memory.
 void Recorder::write(const Chunk& chunk, Payload* payload) {
     if (!m_journal)
@@ -152,7 +151,7 @@ void Recorder::write(const Chunk& chunk, Payload* payload) {
 }
 
 void Recorder::loseJournal() {
-    m_journal.reset();
+    m_journal = nullptr;
     m_hasJournal = false;
     Packed lost;
     lost.session = m_session;

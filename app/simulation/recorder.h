@@ -79,7 +79,7 @@ private:
 
     void post(std::function<void()> job);
     void run();
-    void openJournal(const std::string& path);
+    static std::shared_ptr<Journal> openJournal(const std::string& path);
     void adopt(const TakeFileContents& contents);
     void write(const Chunk& chunk, Payload* payload = nullptr);
     void loseJournal();
@@ -104,7 +104,7 @@ private:
 
     // The recorder's thread only.
     int m_session = 0;
-    std::optional<Journal> m_journal;
+    std::shared_ptr<Journal> m_journal; // null: none
     double m_error = kDefaultError;
     std::shared_ptr<const Sheet> m_sheet; // of the next two
     std::optional<FramePacker> m_packer;

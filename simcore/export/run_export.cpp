@@ -45,11 +45,11 @@ private:
 
 } // namespace
 
-int FrameRange::frameAt(int index) const {
+int ExportRange::frameAt(int index) const {
     return first + static_cast<int>(std::lround(index * step));
 }
 
-int FrameRange::count() const {
+int ExportRange::count() const {
     if (last < first || !(step >= 1))
         return 0;
     int count = static_cast<int>((last - first + 0.5) / step) + 1;
@@ -58,7 +58,7 @@ int FrameRange::count() const {
     return count;
 }
 
-ExportResult runExport(const FrameSource& source, const FrameRange& range, FrameWriter& writer,
+ExportResult runExport(const FrameSource& source, const ExportRange& range, FrameWriter& writer,
                        const std::atomic<bool>& stop, const std::function<void(int)>& progress,
                        IfAFrameFails ifAFrameFails) {
     Run run(writer, stop);

@@ -16,7 +16,7 @@ struct FrameSource {
 };
 
 // Frames from first to last, both included, each `step` after the one before; rounded where it is not whole.
-struct FrameRange {
+struct ExportRange {
     int first = 0;
     int last = 0;
     double step = 1; // 1 or more
@@ -38,7 +38,7 @@ enum class IfAFrameFails { WriteNothing, KeepThoseBefore };
 // Takes the frames through the writer, from begin() to finish(). Unless it ends with Done, the writer is
 // abandoned in this thread; with KeepThoseBefore, a frame that cannot be had is instead the end of the file.
 // After each frame `progress` is told how many are written; it may be empty. Throws nothing.
-ExportResult runExport(const FrameSource& source, const FrameRange& range, FrameWriter& writer,
+ExportResult runExport(const FrameSource& source, const ExportRange& range, FrameWriter& writer,
                        const std::atomic<bool>& stop, const std::function<void(int written)>& progress = {},
                        IfAFrameFails ifAFrameFails = IfAFrameFails::WriteNothing);
 

@@ -203,7 +203,7 @@ void TestExport::aPointCacheOfARange() {
     reader.little();
     QCOMPARE(reader.little(), 4U); // 2, 4, 6, 8
     for (const int frame : {2, 4, 6, 8}) {
-        const PointArray& position = m_window->simulation().recording().frame(frame)->state.position;
+        const PointArray& position = m_window->simulation().recording().frame(frame).exact->state.position;
         for (int p = 0; p < 36; ++p)
             for (const double value : {position.at(p).x(), position.at(p).y(), position.at(p).z()})
                 QVERIFY(test::sameFloat(reader.littleFloat(), float(value)));
@@ -227,8 +227,8 @@ void TestExport::aSequenceWithAxesAndUnits() {
     TRY_VERIFY(!running());
     QCOMPARE(files().size(), 10);
     QCOMPARE(files().constLast(), "50% of %d_0009.obj");
-    const Frame& last = *m_window->simulation().recording().frame(9);
-    QVERIFY(!exportFrame(last, ExportFormat::Obj, m_window->path("expected.obj").toStdString(),
+    const FramePointer last = m_window->simulation().look(9);
+    QVERIFY(!exportFrame(*last, ExportFormat::Obj, m_window->path("expected.obj").toStdString(),
                          {UpAxis::Z, 100}));
     QCOMPARE(test::bytesOfFile(m_window->path("out/50% of %d_0009.obj").toStdString()),
              test::bytesOfFile(m_window->path("expected.obj").toStdString()));

@@ -81,7 +81,7 @@ private slots:
         QFETCH(int, last);
         QFETCH(double, step);
         QFETCH(QList<int>, frames);
-        const FrameRange range{first, last, step};
+        const ExportRange range{first, last, step};
         QList<int> numbers;
         for (int i = 0; i < range.count(); ++i)
             numbers << range.frameAt(i);
