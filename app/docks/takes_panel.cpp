@@ -41,7 +41,7 @@ TakesPanel::TakesPanel(Simulation& simulation, QWidget* parent)
     m_openAction =
         addAction("openTake", tr("Open"), "open", tr("Show this take, with the scene it was made with"));
     m_renameAction = addAction("renameTake", tr("Rename"), "select", tr("Give this take another name (F2)"));
-    m_delete =
+    m_deleteAction =
         addAction("deleteTake", tr("Delete"), "close", tr("Delete this take; undo brings it back (Del)"));
     for (QAction* action : {m_openAction, m_renameAction, m_deleteAction}) {
         auto* button = new QToolButton;

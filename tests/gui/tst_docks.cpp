@@ -30,7 +30,7 @@ private slots:
 private:
     MainWindow& window() { return **m_window; }
     const QStringList m_names{"springs",  "appearance", "inspector", "simulation",
-                              "timeline", "output",     "shader"};
+                              "timeline", "takes",      "output",    "shader"};
     // Where each panel is and whether it can be seen.
     QMap<QString, QRect> places() {
         QMap<QString, QRect> found;
