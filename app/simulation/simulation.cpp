@@ -200,7 +200,8 @@ void Simulation::requestFrame() {
     }
     constexpr int patience = 20; // ms
     if (m_recorder.bytesWaiting() > m_budget / 8 && m_playing) {
-        m_clock.start(patience); // the recorder comes after
+        m_recorder.flush([] {}); // it may wait for more frames
+        m_clock.start(patience);
         return;
     }
     request(m_recording.endOfRun(), true);

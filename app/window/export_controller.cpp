@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QSet>
 
+#include <algorithm>
 #include <utility>
 
 namespace clothlab {
@@ -54,7 +55,11 @@ void ExportController::showDialog() {
 void ExportController::updateFacts() {
     const QFileInfo scene(m_document.path());
     ExportFacts facts;
-    facts.lastFrame = m_simulation.recording().lastFrame();
+    const Recording& recording = m_simulation.recording();
+    const InOutPoints range = recording.take()->marks().range.value_or(InOutPoints{});
+    facts.lastFrame = recording.lastFrame();
+    facts.in = std::min(range.in, facts.lastFrame);
+    facts.out = std::min(range.out, facts.lastFrame);
     facts.framesPerSecond = m_document.scene().simulation.framesPerSecond;
     facts.grid = m_simulation.sheet().grid;
     facts.file = m_document.path().isEmpty() ? QDir::homePath() + "/cloth"

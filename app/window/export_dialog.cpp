@@ -40,12 +40,13 @@ void ExportDialog::setFacts(const ExportFacts& facts) {
     m_facts = facts;
     m_first->setRange(0, facts.lastFrame);
     m_last->setRange(0, facts.lastFrame);
-    if (m_first->value() > facts.lastFrame)
-        m_first->setValue(0);
-    if (!m_lastChosen || m_last->value() > facts.lastFrame) {
-        m_last->setValue(facts.lastFrame);
-        m_lastChosen = false;
-    }
+    const auto follow = [&](NumberField* field, bool& chosen, int proposed) {
+        chosen = chosen && field->value() <= facts.lastFrame;
+        if (!chosen)
+            field->setValue(proposed);
+    };
+    follow(m_first, m_firstChosen, facts.in);
+    follow(m_last, m_lastChosen, facts.out);
     if (!m_pathChosen)
         m_path->setText(QDir::toNativeSeparators(facts.file + ending(request().kind)));
     if (!kindsAsBefore)

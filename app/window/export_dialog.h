@@ -19,6 +19,7 @@ class NumberField;
 // What there is to export.
 struct ExportFacts {
     int lastFrame = 0;
+    int in = 0, out = 0;      // what is exported if the user says nothing, both included
     int framesPerSecond = 90; // of the scene
     Grid grid;
     QString file;         // where exports go if the user says nothing: a path without an ending
@@ -91,7 +92,8 @@ private:
     QFormLayout* m_form = nullptr;
     QWidget *m_placementRow = nullptr, *m_sizeRow = nullptr;
     // Chosen by the user: stay as they are.
-    bool m_pathChosen = false, m_lastChosen = false, m_everyChosen = false, m_paceChosen = false;
+    bool m_pathChosen = false, m_firstChosen = false, m_lastChosen = false, m_everyChosen = false,
+         m_paceChosen = false;
     bool m_running = false;
     bool m_resultGood = true;
 };

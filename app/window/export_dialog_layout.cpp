@@ -128,10 +128,11 @@ void ExportDialog::connectFields() {
             refresh();
         });
     };
+    touched(m_first, &m_firstChosen);
     touched(m_last, &m_lastChosen);
     touched(m_every, &m_everyChosen);
     touched(m_framesPerSecond, &m_paceChosen);
-    for (NumberField* field : {m_first, m_scale, m_width, m_height})
+    for (NumberField* field : {m_scale, m_width, m_height})
         touched(field, nullptr);
     connect(m_export, &QPushButton::clicked, this, &ExportDialog::askForExport);
     connect(m_progress, &ExportProgress::cancelAsked, this, &ExportDialog::cancelAsked);

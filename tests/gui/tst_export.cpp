@@ -28,6 +28,7 @@ private slots:
     void itSaysWhatTheFilesWillHold();
     void whatCannotBeUsedSaysWhy();
     void aPointCacheOfARange();
+    void inAndOutPointsAreWhatIsProposed();
     void aSequenceWithAxesAndUnits();
     void enterInTheNameExports();
     void itAsksOnceBeforeItReplacesFiles();
@@ -214,6 +215,17 @@ void TestExport::aPointCacheOfARange() {
     QVERIFY(m_window->output().contains("Exported 4 frames"));
     QVERIFY((*m_window)->statusBar()->currentMessage().contains("Exported 4 frames"));
     QVERIFY(!shown.progress()->isVisible());
+}
+
+void TestExport::inAndOutPointsAreWhatIsProposed() {
+    m_window->simulation().showFrame(3);
+    m_window->viewport().setFocus();
+    m_window->key(Qt::Key_I);
+    m_window->simulation().showFrame(7);
+    m_window->key(Qt::Key_O);
+    ExportDialog& shown = openDialog();
+    QCOMPARE(shown.request().frames.first, 3);
+    QCOMPARE(shown.request().frames.last, 7);
 }
 
 void TestExport::aSequenceWithAxesAndUnits() {
