@@ -176,7 +176,7 @@ const QStringList& TakesPanel::changesOf(const Take& take) {
 QString TakesPanel::differenceOf(const Take& take) const {
     const int first = take.branchFrame() + 1;
     if (const TakePointer& parent = take.parent()) {
-        const QString from = tr("from frame %1").arg(take.branchFrame());
+        QString from = tr("from frame %1").arg(take.branchFrame());
         if (first >= take.frameCount())
             return from;
         const Scene& other =
@@ -205,11 +205,11 @@ void TakesPanel::updateActions() {
           id == 0 ? tr("Choose a take first") : tr("This is the only take"));
 }
 
-void TakesPanel::rename(QTreeWidgetItem* changed) {
+void TakesPanel::rename(QTreeWidgetItem* item) {
     if (m_showing)
         return;
-    const TakeId id = changed->data(Name, Qt::UserRole).toUInt();
-    m_simulation.renameTake(id, changed->text(Name));
+    const TakeId id = item->data(Name, Qt::UserRole).toUInt();
+    m_simulation.renameTake(id, item->text(Name));
     // What is in the tree is what the take is called, even if that was refused. Not while the editor closes.
     QMetaObject::invokeMethod(this, &TakesPanel::showTakes, Qt::QueuedConnection);
 }

@@ -22,9 +22,7 @@ void later(QObject* object, Call call) {
 Simulation::Simulation(Document& document, QObject* parent, std::size_t memoryBudget)
     : QObject(parent), m_document(document), m_recording(document.snapshot()), m_budget(memoryBudget),
       m_recorder(
-          [this](Packed packed) {
-              later(this, [this, packed = std::move(packed)]() mutable { receive(std::move(packed)); });
-          },
+          [this](Packed packed) { later(this, [this, packed = std::move(packed)] { receive(packed); }); },
           memoryBudget / 4),
       m_worker([this](FrameOutcome outcome) {
           later(this, [this, outcome = std::move(outcome)]() mutable { receive(std::move(outcome)); });
@@ -297,7 +295,7 @@ void Simulation::repairWay(const Pending& done) {
     request(done.regained, done.newFrame);
 }
 
-void Simulation::receive(Packed packed) {
+void Simulation::receive(const Packed& packed) {
     m_recorder.taken(packed);
     if (packed.session != m_session)
         return;

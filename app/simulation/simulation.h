@@ -48,7 +48,7 @@ public:
     const Sheet& sheet() const { return m_recording.take()->sheet(); }
     int currentFrame() const { return m_recording.shownFrame(); }
     const FramePointer& shownFrame() const { return m_shown; }
-    FramePointer look(int frame); // of the open take, as it is kept
+    FramePointer look(int number); // of the open take, as it is kept
     const Scene& shownScene() const { return m_recording.shownScene(); }
     bool isPlaying() const { return m_playing; }
     bool isPlayingBackward() const { return m_playing && m_playback.direction() == Direction::Backward; }
@@ -133,7 +133,7 @@ private:
     void dropPending();
     void receive(FrameOutcome outcome);
     void repairWay(const Pending& done);
-    void receive(Packed packed);
+    void receive(const Packed& packed);
     void record(FramePointer frame);
     void stopForBlowUp(const FrameOutcome& outcome);
     void show(int frame);

@@ -72,7 +72,10 @@ FramePointer TakeReplay::roughFrame(int number, std::string& reason) {
 FramePointer roughFrameOf(const RecordedFrame& recorded, int number, const Sheet& sheet,
                           std::optional<PointArray> positions) {
     Frame frame;
-    frame.state.position = positions ? std::move(*positions) : sheet.start;
+    if (positions)
+        frame.state.position = std::move(*positions);
+    else
+        frame.state.position = sheet.start;
     frame.state.lastPosition = frame.state.position;
     frame.scene = recorded.scene;
     frame.time = recorded.time;

@@ -117,7 +117,7 @@ void MainWindow::offerRecovery() {
     const QStringList left = m_recovery.left();
     if (left.isEmpty())
         return;
-    const QString journal = left.constFirst();
+    const QString& journal = left.constFirst();
     const TakeFileReading reading = readTakeFile(journal.toStdString());
     if (!reading.contents || isNothing(*reading.contents)) {
         if (m_recovery.claim(journal))
