@@ -144,9 +144,9 @@ bool FileController::saveTo(const QString& path) {
     return true;
 }
 
-// path: of the document from now on.
-bool FileController::loadRecording(const QString& from, const QString& path, QString& warnings) {
-    TakeFileReading reading = readTakeFile(from.toStdString());
+// from: the file that was read. path: of the document from now on.
+bool FileController::loadRecording(TakeFileReading reading, const QString& from, const QString& path,
+                                   QString& warnings) {
     if (!reading.contents) {
         emit problem(
             tr("The recording was not opened. %1").arg(textOf(reading.diagnostics, from, Severity::Error)));
@@ -164,7 +164,7 @@ bool FileController::loadRecording(const QString& from, const QString& path, QSt
 
 bool FileController::openRecording(const QString& path) {
     QString warnings;
-    if (!loadRecording(path, QFileInfo(path).absoluteFilePath(), warnings))
+    if (!loadRecording(readTakeFile(path.toStdString()), path, QFileInfo(path).absoluteFilePath(), warnings))
         return false;
     remember(m_document.path());
     emit notice(tr("Opened %1").arg(m_document.displayName()));
@@ -175,7 +175,16 @@ bool FileController::openRecording(const QString& path) {
 
 bool FileController::openRecovered(const QString& journal) {
     QString warnings; // that it ends without an end is what it is here for
-    if (!mayDiscard() || !loadRecording(journal, {}, warnings))
+    TakeFileReading reading = readTakeFile(journal.toStdString());
+    if (reading.contents) { // where the run was when it ended
+        const auto listed = [](const RecordedTake& take) { return !take.info.hidden; };
+        const auto& takes = reading.contents->takes;
+        if (const auto last = std::find_if(takes.rbegin(), takes.rend(), listed); last != takes.rend()) {
+            reading.contents->meta.activeTake = last->info.id;
+            reading.contents->meta.shownFrame = last->end() - 1;
+        }
+    }
+    if (!mayDiscard() || !loadRecording(std::move(reading), journal, {}, warnings))
         return false;
     m_document.setRecovered();
     emit notice(tr("Recovered. Save it to keep it."));

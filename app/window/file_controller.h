@@ -39,7 +39,7 @@ signals:
 
 private:
     bool openRecording(const QString& path);
-    bool loadRecording(const QString& from, const QString& path, QString& warnings);
+    bool loadRecording(TakeFileReading reading, const QString& from, const QString& path, QString& warnings);
     bool saveRecording(const QString& path);
     bool chooseAndSave(const QString& title, const QString& filters, const QString& ending);
     QString folder() const; // where file choosers begin

@@ -189,7 +189,7 @@ void MainWindow::connectMessages() {
     connect(m_files, &FileController::problem, this, &MainWindow::showProblem);
     connect(m_exports, &ExportController::notice, this, &MainWindow::say);
     connect(m_exports, &ExportController::problem, this, &MainWindow::showProblem);
-    connect(&m_document, &Document::sceneReplaced, m_messageBar, &QWidget::hide);
+    connect(&m_document, &Document::sceneReplaced, m_messageBar, &MessageBar::closeProblem);
     connect(&m_simulation, &Simulation::notice, this, &MainWindow::say);
     connect(&m_simulation, &Simulation::blowUpChanged, this, [this] {
         if (!m_simulation.blowUp().isEmpty())

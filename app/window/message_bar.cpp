@@ -48,6 +48,11 @@ void MessageBar::showProblem(const QString& text) {
     showText(text, {});
 }
 
+void MessageBar::closeProblem() {
+    if (!m_offers)
+        hide();
+}
+
 void MessageBar::offer(const QString& text, const QList<QAction*>& answers) {
     m_offers = true;
     showText(text, answers);

@@ -16,6 +16,7 @@ public:
     explicit MessageBar(QWidget* parent = nullptr);
 
     void showProblem(const QString& text);
+    void closeProblem(); // not an offer
     // A click on one of the buttons does what it says and closes the strip. Takes ownership of the actions.
     void offer(const QString& text, const QList<QAction*>& answers);
     QString text() const { return isHidden() ? QString() : m_text->text(); }

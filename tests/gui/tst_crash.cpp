@@ -103,6 +103,8 @@ private:
         MainWindow window(std::make_unique<QSettings>(folder.filePath("settings.ini"), QSettings::IniFormat),
                           {}, folder.filePath("recovery"));
         window.show();
+        // Opening a scene, as the command line does, must not hide what is offered.
+        window.document().setScene(Scene{}, {});
         if (expected == 1 && window.messageBar().text().isEmpty())
             return; // killed before there was anything to lose
         auto* open = window.findChild<QAction*>("openRecovered");
