@@ -198,7 +198,12 @@ void AppearancePanel::addViewGroup() {
 void AppearancePanel::fitStrainRange() {
     double greatest = 0;
     std::vector<float> strains;
-    for (int frame = 0; frame <= m_simulation.recording().lastFrame(); ++frame)
+    // All frames, or of a long recording as many as take no time, at even distances.
+    constexpr int mostPoints = 3'000'000;
+    const int last = m_simulation.recording().lastFrame();
+    const int most = std::max(8, mostPoints / document().grid().pointCount());
+    const int step = last / most + 1;
+    for (int frame = last; frame >= 0; frame -= step)
         greatest = std::max(greatest, pointStrains(document().scene().cloth, m_simulation.sheet(),
                                                    m_simulation.look(frame)->state.position, strains));
     const Parameter& range = *findParameter("appearance.strain_range");

@@ -104,6 +104,7 @@ void Simulation::onSceneReplaced() {
 void Simulation::onSceneChanged(SceneChange change) {
     if (m_opening) {
         m_recording.setView(*m_opening);
+        tellTake(*m_recording.take()); // it may have gone before
         showOtherTake();
         return;
     }
@@ -114,6 +115,7 @@ void Simulation::onSceneChanged(SceneChange change) {
         setBlowUp({});
     if (effect == Recording::Effect::OtherTake) {
         const TakePointer take = m_recording.take();
+        tellTake(*before); // it goes if nothing was recorded
         if (take->frameCount() == 1)
             announceTake();
         if (before->frameCount() > 1)
@@ -146,6 +148,7 @@ void Simulation::showOtherTake() {
 void Simulation::restart() {
     const TakePointer before = m_recording.take();
     m_recording.restart();
+    tellTake(*before); // it goes if nothing was recorded
     announceTake();
     if (before->frameCount() > 1)
         emit notice(tr("%1 begins. %2 keeps its frames.")

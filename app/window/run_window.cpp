@@ -75,15 +75,17 @@ private:
 
     void finish() {
         disconnect(&m_window.simulation(), nullptr, this, nullptr);
-        // After the window has been painted.
-        QTimer::singleShot(200, this, [this] {
-            if (const auto error = m_window.savePicture(m_options.screenshot))
-                exit(cli::OutputNotWritten, *error);
-            else if (const QString blowUp = m_window.simulation().blowUp(); !blowUp.isEmpty())
-                exit(cli::SimulationBlewUp, blowUp);
-            else
-                QApplication::exit(cli::Done);
-        });
+        // The timeline shows what is packed, and then the window has to be painted.
+        m_window.simulation().whenPacked([this] { QTimer::singleShot(200, this, &ScreenshotRun::save); });
+    }
+
+    void save() {
+        if (const auto error = m_window.savePicture(m_options.screenshot))
+            exit(cli::OutputNotWritten, *error);
+        else if (const QString blowUp = m_window.simulation().blowUp(); !blowUp.isEmpty())
+            exit(cli::SimulationBlewUp, blowUp);
+        else
+            QApplication::exit(cli::Done);
     }
 
     static void exit(cli::ExitStatus status, const QString& words) {
