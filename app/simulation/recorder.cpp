@@ -73,6 +73,14 @@ void Recorder::begin(int session, const std::string& journal, double error,
     });
 }
 
+void Recorder::setError(double error) {
+    post([this, error] {
+        packPending();
+        m_error = error;
+        m_sheet = nullptr; // another packer for the next frame
+    });
+}
+
 void Recorder::setTake(const TakeInfo& info) {
     post([this, info] { write(takeChunk(info)); });
 }

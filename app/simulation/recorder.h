@@ -46,6 +46,7 @@ public:
     // what was read from a file and is recorded further; goes into the journal, too. May be null.
     void begin(int session, const std::string& journal, double error,
                std::shared_ptr<const TakeFileContents> contents = nullptr);
+    void setError(double error); // of frames that are packed from now on
     // The take is there, or has another name, or is hidden.
     void setTake(const TakeInfo& info);
     void add(TakeId take, std::shared_ptr<const Sheet> sheet, int number, FramePointer frame);

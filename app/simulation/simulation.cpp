@@ -46,9 +46,13 @@ void Simulation::setJournals(std::function<QString()> newPath) {
     announceTake();
 }
 
+void Simulation::setRecordingError(double error) {
+    m_error = error;
+    m_recorder.setError(error);
+}
+
 void Simulation::beginSession(std::shared_ptr<const TakeFileContents> contents) {
-    const double error = contents ? contents->meta.error : kDefaultError;
-    m_recorder.begin(++m_session, m_newJournal ? m_newJournal().toStdString() : std::string(), error,
+    m_recorder.begin(++m_session, m_newJournal ? m_newJournal().toStdString() : std::string(), m_error,
                      std::move(contents));
 }
 
@@ -85,6 +89,7 @@ void Simulation::gatherContents(std::function<void(TakeFileContents)> use) {
     whenPacked([this, use = std::move(use), scene = m_document.snapshot()] {
         TakeFileContents contents = contentsOf(m_recording);
         contents.meta.version = CLOTHLAB_VERSION;
+        contents.meta.error = m_error;
         contents.meta.scene = m_recorder.idOfScene(*scene);
         for (const SceneId id : scenesNamed(contents))
             contents.scenes[id] = m_recorder.scene(id);

@@ -34,6 +34,11 @@ public:
     // Where each recording is written to while it is made; without it, recordings stay in memory. Begins one.
     void setJournals(std::function<QString()> newPath);
 
+    // The greatest difference, in metres, of coordinates as they are kept from what they were; 0: none. Of
+    // frames that are recorded from now on.
+    void setRecordingError(double error);
+    double recordingError() const { return m_error; }
+
     // Puts a recording that was read from a file in the place of this one, after its scene was put into the
     // document. loaded: made of the contents.
     void load(const LoadedTakes& loaded, TakeFileContents contents);
@@ -160,6 +165,7 @@ private:
     bool m_live = false; // as it last was while playing
 
     std::function<QString()> m_newJournal;
+    double m_error = kDefaultError;
     int m_session = 0;
     Recorder m_recorder;
     FrameWorker m_worker; // last: these two are gone before what their outcomes touch

@@ -11,6 +11,7 @@ namespace clothlab {
 Actions::Actions(QWidget& window) : QObject(&window), m_window(window) {
     addFileActions();
     addSimulationActions();
+    addPrecisionActions();
     addPlaybackActions();
     addViewActions();
     addOtherActions();
@@ -76,6 +77,24 @@ void Actions::addSimulationActions() {
         action->setAutoRepeat(true);
     for (QAction* action : {playPause, restart})
         action->setAutoRepeat(false);
+}
+
+void Actions::addPrecisionActions() {
+    recordHundredth =
+        add("recordHundredth", tr("To 0.01 &mm"), {}, {},
+            tr("Positions of recorded frames are kept to 0.01 mm; any exact state is computed again"));
+    recordTenth = add("recordTenth", tr("To 0.&1 mm"), {}, {},
+                      tr("Positions of recorded frames are kept to 0.1 mm, which takes half the place"));
+    recordExactly =
+        add("recordExactly", tr("To the Last &Bit"), {}, {},
+            tr("Positions of recorded frames are kept as they are, which takes ten times the place"));
+    auto* precisions = new QActionGroup(this);
+    for (const auto& [action, error] :
+         {std::pair(recordHundredth, 1e-5), {recordTenth, 1e-4}, {recordExactly, 0.0}}) {
+        action->setCheckable(true);
+        action->setData(error);
+        precisions->addAction(action);
+    }
 }
 
 void Actions::addPlaybackActions() {

@@ -38,6 +38,9 @@ public:
     QAction* lastFrame = nullptr;
     QAction* simulateFrame = nullptr;
     QAction* restart = nullptr;
+    QAction* recordHundredth = nullptr; // whose data are the errors in metres
+    QAction* recordTenth = nullptr;
+    QAction* recordExactly = nullptr;
 
     QAction* setIn = nullptr;
     QAction* setOut = nullptr;
@@ -80,6 +83,7 @@ private:
                  const QList<QKeySequence>& shortcuts, const QString& tip);
     void addFileActions();
     void addSimulationActions();
+    void addPrecisionActions();
     void addPlaybackActions();
     void addViewActions();
     void addOtherActions();

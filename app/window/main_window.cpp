@@ -33,6 +33,8 @@
 namespace clothlab {
 namespace {
 
+const QString kRecordingErrorKey = QStringLiteral("recordingError");
+
 int framesIn(const TakeFileContents& contents) {
     int frames = 0;
     for (const RecordedTake& take : contents.takes)
@@ -180,8 +182,23 @@ void MainWindow::connectSimulationActions() {
     connect(m_actions->simulateFrame, &QAction::triggered, s, &Simulation::simulateFrame);
     connect(m_actions->restart, &QAction::triggered, s, &Simulation::restart);
     connectPlaybackActions();
+    connectPrecisionActions();
     connect(s, &Simulation::frameShown, this, &MainWindow::updateTransport);
     connect(s, &Simulation::recordingChanged, this, &MainWindow::updateTransport);
+}
+
+void MainWindow::connectPrecisionActions() {
+    const double kept = m_settings->value(kRecordingErrorKey, kDefaultError).toDouble();
+    for (QAction* action : {m_actions->recordHundredth, m_actions->recordTenth, m_actions->recordExactly}) {
+        const double error = action->data().toDouble();
+        connect(action, &QAction::triggered, this, [this, error] {
+            m_simulation.setRecordingError(error);
+            m_settings->setValue(kRecordingErrorKey, error);
+        });
+        if (error == kept)
+            m_simulation.setRecordingError(error);
+        action->setChecked(error == m_simulation.recordingError());
+    }
 }
 
 void MainWindow::connectMessages() {

@@ -91,6 +91,7 @@ private:
     void makeStatusBar();
     void connectFileActions();
     void connectSimulationActions();
+    void connectPrecisionActions();
     void connectPlaybackActions();
     void connectViewActions();
     void connectShaders();

@@ -114,6 +114,9 @@ void MainWindow::makeMenus() {
 
     QMenu* simulation = menuBar()->addMenu(tr("&Simulation"));
     simulation->addActions({m_actions->playPause, m_actions->simulateFrame, m_actions->restart});
+    QMenu* precision = simulation->addMenu(tr("&Keep Positions"));
+    precision->addActions({m_actions->recordHundredth, m_actions->recordTenth, m_actions->recordExactly});
+    precision->setToolTipsVisible(true);
     simulation->addSeparator();
     simulation->addActions({m_actions->firstFrame, m_actions->tenBack, m_actions->stepBack,
                             m_actions->stepForward, m_actions->tenForward, m_actions->lastFrame});

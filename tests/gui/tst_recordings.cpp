@@ -23,6 +23,7 @@ private slots:
     void aRecordingThatIsCutOffOpensWithWords();
     void whatIsNoRecordingLeavesAllAsItIs();
     void aRecordingIsAskedForBeforeItIsLost();
+    void howExactlyFramesAreKeptIsChosenAndStays();
 
 private:
     QTreeWidget& tree() { return (*m_window)->takesPanel().tree(); }
@@ -197,6 +198,21 @@ void TestRecordings::aRecordingIsAskedForBeforeItIsLost() {
     DialogAnswer cancel(QMessageBox::Cancel);
     QVERIFY(!(*m_window)->files().newScene());
     QVERIFY(cancel.text().contains("run.clothtake"));
+}
+
+void TestRecordings::howExactlyFramesAreKeptIsChosenAndStays() {
+    QVERIFY((*m_window)->actions().recordHundredth->isChecked());
+    (*m_window)->actions().recordExactly->trigger();
+    QVERIFY(m_window->simulateTo(20));
+    QVERIFY((*m_window)->files().saveTo(m_window->path("run.clothtake")));
+    const TakeFileReading reading = readTakeFile(m_window->path("run.clothtake").toStdString());
+    QVERIFY(reading.contents);
+    QCOMPARE(reading.contents->meta.error, 0.0);
+    const FrameGroup* group = findGroup(*reading.contents, 1, 20);
+    QVERIFY(group && positionsOf(*group, 20) == m_window->simulation().look(20)->state.position);
+    m_window->open();
+    QVERIFY((*m_window)->actions().recordExactly->isChecked());
+    QCOMPARE(m_window->simulation().recordingError(), 0.0);
 }
 
 CLOTHLAB_GUI_TEST_MAIN(TestRecordings)

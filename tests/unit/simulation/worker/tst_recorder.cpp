@@ -172,6 +172,24 @@ private slots:
         QCOMPARE(frames[2], 20);
     }
 
+    void anotherErrorHoldsFromTheNextFrame() {
+        const auto run = runOf(20);
+        const auto sheet = sheetOf(run);
+        Outbox outbox;
+        Recorder recorder(outbox.deliver(), 1 << 20);
+        recorder.begin(1, {}, 1e-4);
+        for (int i = 0; i < 20; ++i) {
+            if (i == 10)
+                recorder.setError(0);
+            recorder.add(1, sheet, i, run[std::size_t(i)]);
+        }
+        for (const Packed& packed : outbox.flushed(recorder))
+            if (packed.group) {
+                QVERIFY(packed.group->end() <= 10 || packed.group->first >= 10);
+                QCOMPARE(packed.group->error, packed.group->first < 10 ? 1e-4 : 0.0);
+            }
+    }
+
     // Within the time that a crash may cost, though the group is not full.
     void fewFramesArePackedSoon() {
         const QTemporaryDir folder;
