@@ -110,6 +110,7 @@ void Simulation::onSceneChanged(SceneChange change) {
     if (m_opening) {
         m_recording.setView(*m_opening);
         tellTake(*m_recording.take()); // it may have gone before
+        tellMeta();
         showOtherTake();
         return;
     }

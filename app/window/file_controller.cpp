@@ -51,6 +51,10 @@ FileController::FileController(Document& document, Simulation& simulation, QSett
 }
 
 bool FileController::mayDiscard() {
+    if (m_saving) {
+        emit notice(tr("The recording is being saved; wait until it is."));
+        return false;
+    }
     // What is typed and not yet taken belongs to the scene, too.
     commitFocusedField();
     if (!m_document.isModified())
@@ -147,9 +151,10 @@ bool FileController::saveTo(const QString& path) {
 // from: the file that was read. path: of the document from now on.
 bool FileController::loadRecording(TakeFileReading reading, const QString& from, const QString& path,
                                    QString& warnings) {
-    if (!reading.contents) {
-        emit problem(
-            tr("The recording was not opened. %1").arg(textOf(reading.diagnostics, from, Severity::Error)));
+    if (!reading.contents || reading.contents->takes.empty()) {
+        const QString why = textOf(reading.diagnostics, from, Severity::Error);
+        emit problem(tr("The recording was not opened. %1")
+                         .arg(why.isEmpty() ? tr("%1: there is no frame in it.").arg(from) : why));
         return false;
     }
     const QString folder = QFileInfo(from).absolutePath();
@@ -194,7 +199,7 @@ bool FileController::openRecovered(const QString& journal) {
 // On a thread of its own, while the window goes on; it returns when that is done.
 bool FileController::saveRecording(const QString& path) {
     if (m_saving) {
-        emit notice(tr("A recording is being saved; wait until it is."));
+        emit notice(tr("The recording is being saved; wait until it is."));
         return false;
     }
     m_saving = true;

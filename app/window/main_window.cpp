@@ -44,7 +44,7 @@ int framesIn(const TakeFileContents& contents) {
 
 // Neither simulated nor edited.
 bool isNothing(const TakeFileContents& contents) {
-    return framesIn(contents) <= 1 && contents.meta.scene == 0;
+    return contents.takes.empty() || (framesIn(contents) <= 1 && contents.meta.scene == 0);
 }
 
 } // namespace
@@ -261,9 +261,7 @@ std::optional<QString> MainWindow::savePicture(const QString& path) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (m_files->isSaving())
-        say(tr("The recording is being saved; close the window when it is."));
-    if (m_files->isSaving() || !m_files->mayDiscard() || !mayDropShaderText() || !m_exports->mayClose()) {
+    if (!m_files->mayDiscard() || !mayDropShaderText() || !m_exports->mayClose()) {
         event->ignore();
         return;
     }

@@ -122,6 +122,8 @@ LoadedTakes takesOf(const TakeFileContents& contents) {
         if (!recorded.info.hidden)
             loaded.takes.push_back(take);
     }
+    if (loaded.takes.empty()) // all were deleted; better one too many than none
+        loaded.takes.push_back(made.at(contents.takes.back().info.id));
     loaded.open = loaded.takes.front();
     for (const TakePointer& take : loaded.takes)
         if (take->id() == contents.meta.activeTake)

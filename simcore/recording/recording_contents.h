@@ -18,8 +18,8 @@ TakeFileContents contentsOf(const Recording& recording);
 // The scenes that the contents name.
 std::vector<SceneId> scenesNamed(const TakeFileContents& contents);
 
-// Their takes, with the one that was open. Precondition: contents as readTakeFile() gives them, with a take
-// that is not hidden.
+// Their takes, with the one that was open. Precondition: contents as readTakeFile() gives them, with at least
+// one take.
 struct LoadedTakes {
     std::vector<TakePointer> takes; // those that are not hidden
     TakePointer open;

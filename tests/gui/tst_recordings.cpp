@@ -190,6 +190,20 @@ void TestRecordings::whatIsNoRecordingLeavesAllAsItIs() {
     QVERIFY2((*m_window)->messageBar().text().contains("no.clothtake"),
              qPrintable((*m_window)->messageBar().text()));
     QCOMPARE(recording().takes().size(), std::size_t(2));
+
+    // All that is right in a file but that there are no takes, or none that is not deleted.
+    QVERIFY((*m_window)->files().saveTo(m_window->path("run.clothtake")));
+    TakeFileReading reading = readTakeFile(m_window->path("run.clothtake").toStdString());
+    for (RecordedTake& take : reading.contents->takes)
+        take.info.hidden = true;
+    QVERIFY(!writeTakeFile(m_window->path("hidden.clothtake").toStdString(), *reading.contents));
+    (*m_window)->files().openUnasked(m_window->path("hidden.clothtake"));
+    QVERIFY(!recording().takes().empty());
+    reading.contents->takes.clear();
+    reading.contents->meta = {};
+    QVERIFY(!writeTakeFile(m_window->path("empty.clothtake").toStdString(), *reading.contents));
+    QVERIFY(!(*m_window)->files().openUnasked(m_window->path("empty.clothtake")));
+    QVERIFY(!recording().takes().empty());
 }
 
 void TestRecordings::aRecordingIsAskedForBeforeItIsLost() {
