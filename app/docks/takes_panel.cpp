@@ -128,7 +128,15 @@ void TakesPanel::showTakes() {
     updateActions();
 }
 
+void TakesPanel::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    showOpenTake();
+}
+
+// A tab behind others need not be kept up to date: it is when it is shown.
 void TakesPanel::showOpenTake() {
+    if (!isVisible())
+        return;
     const bool was = std::exchange(m_showing, true);
     const Take& take = *m_simulation.recording().take();
     if (QTreeWidgetItem* open = item(take.id()))

@@ -20,6 +20,9 @@ public:
     QTreeWidget& tree() { return *m_tree; }
     QTreeWidgetItem* item(TakeId id) const; // null if there is none
 
+protected:
+    void showEvent(QShowEvent* event) override;
+
 private:
     // Changes of the scene among a take's own frames, as far as they have been looked through.
     struct Changes {

@@ -5,8 +5,7 @@
 namespace clothlab {
 namespace {
 
-// To have the state of a frame again, so much is computed at most.
-constexpr int kFramesPerCheckpoint = 60;
+// To have the state of a frame again, so much is computed at most, and kFramesPerCheckpoint.
 constexpr double kMillisecondsPerCheckpoint = 500;
 
 // What a crash loses at most, and the time to write it.

@@ -226,15 +226,7 @@ void Simulation::request(int regained, bool newFrame) {
     while (!take.frame(base).exact && !take.frame(base).checkpoint)
         --base; // the start is always there
     FrameRequest request;
-    const RecordedFrame& from = take.frame(base);
-    request.before = [frame = from.exact, from]() -> FramePointer {
-        if (frame)
-            return frame;
-        std::optional<ClothState> state = stateOf(*from.checkpoint);
-        if (!state)
-            return nullptr;
-        return std::make_shared<const Frame>(Frame{std::move(*state), from.scene, from.time, 0, 0});
-    };
+    request.before = [from = take.frame(base)] { return clothlab::exactFrame(from); };
     request.number = base + 1;
     for (int i = base + 1; i <= regained; ++i) {
         const FrameFacts* facts = factsOf(take, i);

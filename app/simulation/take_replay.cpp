@@ -15,21 +15,10 @@ TakeReplay::TakeReplay(const Take& take) : m_sheet(take.sharedSheet()) {
 // The nearest exact frame before that one, or itself. The start is always there.
 FramePointer TakeReplay::baseFor(int number, int& base) {
     for (base = number;; --base) {
-        RecordedFrame& frame = m_frames[std::size_t(base)];
-        if (frame.exact)
-            return frame.exact;
         if (base == m_lastNumber)
             return m_last;
-        if (!frame.checkpoint)
-            continue;
-        if (std::optional<ClothState> state = stateOf(*frame.checkpoint)) {
-            Frame whole;
-            whole.state = std::move(*state);
-            whole.scene = frame.scene;
-            whole.time = frame.time;
-            return std::make_shared<const Frame>(std::move(whole));
-        }
-        frame.checkpoint = nullptr;
+        if (FramePointer frame = clothlab::exactFrame(m_frames[std::size_t(base)]))
+            return frame;
     }
 }
 

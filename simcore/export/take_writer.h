@@ -5,8 +5,6 @@
 
 namespace clothlab {
 
-inline constexpr int kFramesPerCheckpoint = 60;
-
 // A file with one take of all frames, and checkpoints of every kFramesPerCheckpoint-th and the last. error:
 // in metres, 0 keeps the bits; see FramePacker. version: of the program.
 std::unique_ptr<FrameWriter> makeTakeWriter(const std::string& path, double error,

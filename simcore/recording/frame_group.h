@@ -62,6 +62,8 @@ private:
     std::optional<FrameUnpacker> m_unpacker;
 };
 
+inline constexpr int kFramesPerCheckpoint = 60; // so many are computed at most to have a state again
+
 // A whole state, without loss.
 struct Checkpoint {
     TakeId take = 0;

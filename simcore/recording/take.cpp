@@ -38,6 +38,19 @@ TakePointer ownerOf(TakePointer take, int frame) {
     return take;
 }
 
+FramePointer exactFrame(const RecordedFrame& recorded) {
+    if (recorded.exact || !recorded.checkpoint)
+        return recorded.exact;
+    std::optional<ClothState> state = stateOf(*recorded.checkpoint);
+    if (!state)
+        return nullptr;
+    Frame frame;
+    frame.state = std::move(*state);
+    frame.scene = recorded.scene;
+    frame.time = recorded.time;
+    return std::make_shared<const Frame>(std::move(frame));
+}
+
 const FrameFacts* factsOf(const Take& take, int frame) {
     const FrameGroup* group = take.frame(frame).group.get();
     return group ? &group->frames[std::size_t(frame - group->first)].facts : nullptr;

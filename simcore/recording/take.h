@@ -60,6 +60,9 @@ using TakePointer = std::shared_ptr<Take>;
 // Of the take and those it came from, the one whose own frame that is.
 TakePointer ownerOf(TakePointer take, int frame);
 
+// With its state, of memory or of its checkpoint. Null if it has neither, or the checkpoint cannot be read.
+FramePointer exactFrame(const RecordedFrame& recorded);
+
 // What is known of a frame without its state; null until it is packed.
 const FrameFacts* factsOf(const Take& take, int frame);
 

@@ -244,7 +244,7 @@ void TestTimeline::nothingIsCutOffInHalfAWindow() {
     (*m_window)->dock("timeline")->setFloating(true);
     for (const int width : {1280, 720, 640, 480}) {
         (*m_window)->dock("timeline")->resize(width, 200);
-        QTest::qWait(50);
+        QApplication::processEvents();
         for (const QWidget* child : timeline().findChildren<QWidget*>()) {
             if (!child->isVisible() || child->isWindow())
                 continue;
