@@ -12,10 +12,6 @@
 namespace clothlab {
 namespace {
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("Export", text);
-}
-
 struct KindRow {
     const char* title;
     const char* ending;
@@ -60,7 +56,7 @@ QString withoutEnding(const QString& path, ExportKind kind) {
 } // namespace
 
 QString title(ExportKind kind) {
-    return tr(rowOf(kind).title);
+    return QCoreApplication::translate("Export", rowOf(kind).title);
 }
 
 QString ending(ExportKind kind) {
@@ -68,7 +64,7 @@ QString ending(ExportKind kind) {
 }
 
 QString about(ExportKind kind) {
-    return tr(rowOf(kind).about);
+    return QCoreApplication::translate("Export", rowOf(kind).about);
 }
 
 bool isSequence(ExportKind kind) {

@@ -1,5 +1,7 @@
 #include "app/picture/camera.h"
 
+#include "app/picture/to_vector_3d.h"
+
 #include <QtMath>
 
 #include <algorithm>
@@ -12,10 +14,6 @@ namespace {
 constexpr double kNearest = 0.01;   // m
 constexpr double kFarthest = 10000; // m
 constexpr double kDegreesPerPixel = 0.35;
-
-QVector3D toQt(const Vec3& v) {
-    return {float(v.x()), float(v.y()), float(v.z())};
-}
 
 Vec3 fromQt(const QVector3D& v) {
     return {v.x(), v.y(), v.z()};
@@ -43,7 +41,7 @@ float orthographicDepth(double distance) {
 } // namespace
 
 QVector3D Camera::target() const {
-    return toQt(view.target);
+    return toVector3D(view.target);
 }
 
 QVector3D Camera::eye() const {

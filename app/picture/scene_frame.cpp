@@ -1,5 +1,7 @@
 #include "app/picture/scene_frame.h"
 
+#include "app/picture/to_vector_3d.h"
+
 #include "app/widgets/theme.h"
 #include "simcore/inspect/inspect.h"
 
@@ -9,21 +11,13 @@
 namespace clothlab {
 namespace {
 
-QVector3D toQt(const Vec3& v) {
-    return {float(v.x()), float(v.y()), float(v.z())};
-}
-
-QVector3D toQt(const std::array<double, 3>& v) {
-    return {float(v[0]), float(v[1]), float(v[2])};
-}
-
 void fillSurface(const Scene& scene, render::SurfaceLook& surface) {
     const Appearance& appearance = scene.appearance;
     surface.shader = QString::fromStdString(appearance.shader);
-    surface.color = QVector4D(toQt(appearance.color), 1);
+    surface.color = QVector4D(toVector3D(appearance.color), 1);
     surface.backColor.reset();
     if (appearance.backColor)
-        surface.backColor = QVector4D(toQt(*appearance.backColor), 1);
+        surface.backColor = QVector4D(toVector3D(*appearance.backColor), 1);
     surface.twoSided = appearance.twoSided;
     surface.meshResolution = appearance.meshResolution;
     surface.normalScaling = float(appearance.normalScaling);
@@ -104,7 +98,8 @@ void fillLook(const Scene& scene, render::RenderFrame& frame) {
     frame.springs.coloredByStrain = appearance.springColoring == SpringColoring::ByStrain;
     if (appearance.strainRange > 0)
         frame.strainRange = float(appearance.strainRange);
-    frame.light = {toQt(appearance.lightPosition), toQt(appearance.lightIntensity), appearance.shadows};
+    frame.light = {toVector3D(appearance.lightPosition), toVector3D(appearance.lightIntensity),
+                   appearance.shadows};
     frame.background = colors.window;
     if (const auto& rgb = appearance.background)
         frame.background = QColor::fromRgbF(float((*rgb)[0]), float((*rgb)[1]), float((*rgb)[2]));
@@ -115,10 +110,10 @@ void fillLook(const Scene& scene, render::RenderFrame& frame) {
     frame.pinnedColor = colors.pinned;
     frame.spheres.clear();
     for (const Sphere& sphere : scene.spheres)
-        frame.spheres.push_back({toQt(sphere.origin), float(sphere.radius)});
+        frame.spheres.push_back({toVector3D(sphere.origin), float(sphere.radius)});
     frame.planes.clear();
     for (const Plane& plane : scene.planes)
-        frame.planes.push_back({toQt(plane.point), toQt(plane.normal.stableNormalized())});
+        frame.planes.push_back({toVector3D(plane.point), toVector3D(plane.normal.stableNormalized())});
 }
 
 void fillSheet(const Scene& scene, const Sheet& sheet, const PointArray& position, bool shaderTakesStrain,

@@ -1,6 +1,6 @@
 #include "app/render/image_file.h"
+#include "app/render/words.h"
 
-#include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
 
@@ -22,12 +22,8 @@
 namespace clothlab::render {
 namespace {
 
-constexpr qint64 kMostBytes = 64 << 20;
+constexpr qint64 kMostImageBytes = 64 << 20;
 constexpr int kRgba = 4;
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("Texture", text);
-}
 
 } // namespace
 
@@ -44,7 +40,7 @@ std::optional<Image> readImage(const QString& path, QString& reason) {
         return fail(tr("is no ordinary file; choose a PNG or JPEG file"));
     if (!file.open(QIODevice::ReadOnly))
         return fail(tr("cannot be read: %1").arg(file.errorString()));
-    if (file.size() > kMostBytes)
+    if (file.size() > kMostImageBytes)
         return fail(tr("is larger than 64 MiB; choose a smaller picture"));
     const QByteArray bytes = file.readAll();
     Image image;

@@ -1,4 +1,5 @@
 #include "app/render/offscreen_picture.h"
+#include "app/render/words.h"
 
 #include "app/render/renderer.h"
 
@@ -13,10 +14,6 @@
 
 namespace clothlab::render {
 namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("Picture", text);
-}
 
 QSurfaceFormat surfaceFormat() {
     QSurfaceFormat format;

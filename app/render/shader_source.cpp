@@ -1,6 +1,6 @@
 #include "app/render/shader_source.h"
+#include "app/render/words.h"
 
-#include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
 #include <QRegularExpression>
@@ -8,12 +8,8 @@
 namespace clothlab::render {
 namespace {
 
-constexpr qint64 kMostBytes = 1 << 20;
+constexpr qint64 kMostShaderBytes = 1 << 20;
 constexpr int kMostFiles = 64;
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("Shader", text);
-}
 
 class Reader {
 public:
@@ -26,7 +22,7 @@ public:
             return fail(path, 0, tr("is no ordinary file"));
         if (!file.open(QIODevice::ReadOnly))
             return fail(path, 0, tr("cannot be read: %1").arg(file.errorString()));
-        if (file.size() > kMostBytes)
+        if (file.size() > kMostShaderBytes)
             return fail(path, 0, tr("is larger than 1 MiB"));
         QByteArray text = file.readAll();
         if (text.startsWith("\xEF\xBB\xBF"))

@@ -1,6 +1,6 @@
 #include "app/render/texture_store.h"
+#include "app/render/words.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -18,10 +18,6 @@ constexpr GLenum kGreatestMaxAnisotropy = 0x84FF;
 constexpr float kAnisotropy = 8;
 
 constexpr std::array<const char*, kCubeFaces> kFaceNames{"posx", "negx", "posy", "negy", "posz", "negz"};
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("Texture", text);
-}
 
 void uploadImage(Gl& gl, GLenum target, const Image& image, bool srgb) {
     gl.glPixelStorei(GL_UNPACK_ALIGNMENT, 1);

@@ -69,7 +69,7 @@ void Overlay::paintBadges(QPainter& painter) const {
 namespace {
 
 // "+2.5 %", with a true minus.
-QString percent(double strain) {
+QString signedPercent(double strain) {
     const QString number = QString::number(std::abs(100 * strain), 'g', 3);
     const QChar sign = strain < 0 ? QChar(0x2212) : u'+';
     return (number == QLatin1String("0") ? number : sign + number) + QStringLiteral(" %");
@@ -104,12 +104,14 @@ void Overlay::paintLegend(QPainter& painter) const {
         const int y = bar.top() + i * bar.height() / ticks;
         painter.drawLine(bar.right() + 1, y, bar.right() + 4, y);
         painter.drawText(QRect(bar.right() + 7, y - line / 2, textWidth + line, line),
-                         Qt::AlignLeft | Qt::AlignVCenter, percent(m_legend->range * (1 - 2.0 * i / ticks)));
+                         Qt::AlignLeft | Qt::AlignVCenter,
+                         signedPercent(m_legend->range * (1 - 2.0 * i / ticks)));
     }
     painter.setPen(colors.dimText);
     const QRect below(bar.left(), bar.bottom() + line, box.width() - line, 2 * line + line / 2);
-    painter.drawText(below, Qt::AlignLeft | Qt::AlignTop,
-                     tr("here %1\nto %2").arg(percent(m_legend->least), percent(m_legend->greatest)));
+    painter.drawText(
+        below, Qt::AlignLeft | Qt::AlignTop,
+        tr("here %1\nto %2").arg(signedPercent(m_legend->least), signedPercent(m_legend->greatest)));
 }
 
 void Overlay::paintPlaceholder(QPainter& painter) const {

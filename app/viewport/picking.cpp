@@ -1,5 +1,7 @@
 #include "app/viewport/picking.h"
 
+#include "app/picture/to_vector_3d.h"
+
 #include <QRectF>
 
 #include <algorithm>
@@ -9,10 +11,6 @@
 
 namespace clothlab {
 namespace {
-
-QVector3D toQt(const Vec3& v) {
-    return {float(v.x()), float(v.y()), float(v.z())};
-}
 
 // Distance along the ray to the triangle (Möller and Trumbore 1997), or infinity.
 float hitDistance(const Ray& ray, const QVector3D& a, const QVector3D& b, const QVector3D& c) {
@@ -36,7 +34,7 @@ float surfaceDepth(const Camera& camera, const Grid& grid, const PointArray& pos
                    QSizeF size) {
     const Ray ray = camera.rayThrough(at, size);
     float nearest = std::numeric_limits<float>::infinity();
-    const auto corner = [&](int x, int y) { return toQt(position.at(grid.index(x, y))); };
+    const auto corner = [&](int x, int y) { return toVector3D(position.at(grid.index(x, y))); };
     for (int y = 0; y + 1 < grid.height; ++y)
         for (int x = 0; x + 1 < grid.width; ++x) {
             const QVector3D b = corner(x + 1, y), c = corner(x, y + 1);
@@ -92,7 +90,7 @@ std::optional<Selection::Item> pick(const Camera& camera, const Grid& grid, cons
                                     const PickQuery& query) {
     std::vector<Camera::Projected> projected(position.size());
     for (int i = 0; i < int(position.size()); ++i)
-        projected[std::size_t(i)] = camera.project(toQt(position.at(i)), query.size);
+        projected[std::size_t(i)] = camera.project(toVector3D(position.at(i)), query.size);
 
     float behind = std::numeric_limits<float>::infinity();
     if (query.surfaceHides) {
@@ -133,7 +131,7 @@ std::vector<int> pointsIn(const QRectF& rectangle, const Camera& camera, const P
                           QSizeF size) {
     std::vector<int> inside;
     for (int i = 0; i < int(position.size()); ++i) {
-        const Camera::Projected p = camera.project(toQt(position.at(i)), size);
+        const Camera::Projected p = camera.project(toVector3D(position.at(i)), size);
         if (p.visible && rectangle.contains(p.position))
             inside.push_back(i);
     }

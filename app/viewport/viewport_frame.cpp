@@ -1,19 +1,12 @@
 // The part of the viewport that turns document, simulation and camera into what the renderer draws.
 #include "app/picture/scene_frame.h"
+#include "app/picture/to_vector_3d.h"
 #include "app/render/shader_library.h"
 #include "app/viewport/viewport.h"
 
 #include <algorithm>
 
 namespace clothlab {
-namespace {
-
-QVector3D toQt(const Vec3& v) {
-    return {float(v.x()), float(v.y()), float(v.z())};
-}
-
-} // namespace
-
 const render::RenderFrame& Viewport::renderFrame() {
     if (!m_frameIsCurrent)
         buildFrame();
@@ -61,10 +54,11 @@ void Viewport::buildHighlight() {
     m_frame.highlight.segments.clear();
     for (const Selection::Item& item : m_document.selection().items) {
         if (item.kind == Selection::Kind::Point) {
-            m_frame.highlight.points.push_back(toQt(position.at(item.number)));
+            m_frame.highlight.points.push_back(toVector3D(position.at(item.number)));
         } else {
             const Spring spring = m_document.grid().spring(item.number);
-            m_frame.highlight.segments.push_back({toQt(position.at(spring.a)), toQt(position.at(spring.b))});
+            m_frame.highlight.segments.push_back(
+                {toVector3D(position.at(spring.a)), toVector3D(position.at(spring.b))});
         }
     }
 }

@@ -14,7 +14,7 @@
 namespace clothlab {
 namespace {
 
-constexpr int kPadding = 6;
+constexpr int kMarginPadding = 6;
 
 } // namespace
 
@@ -75,7 +75,7 @@ void CodeEdit::markLines() {
 
 int CodeEdit::marginWidth() const {
     const auto digits = QString::number(std::max(blockCount(), 99)).size();
-    return 2 * kPadding + int(digits) * fontMetrics().horizontalAdvance(QLatin1Char('9'));
+    return 2 * kMarginPadding + int(digits) * fontMetrics().horizontalAdvance(QLatin1Char('9'));
 }
 
 void CodeEdit::placeMargin() {
@@ -95,8 +95,8 @@ void CodeEdit::paintMargin(QPaintEvent* event) {
             break;
         const int line = block.blockNumber() + 1;
         painter.setPen(m_marked.contains(line) ? colors.error : colors.dimText);
-        painter.drawText(QRectF(0, place.top(), m_margin->width() - kPadding, place.height()), Qt::AlignRight,
-                         QString::number(line));
+        painter.drawText(QRectF(0, place.top(), m_margin->width() - kMarginPadding, place.height()),
+                         Qt::AlignRight, QString::number(line));
     }
 }
 

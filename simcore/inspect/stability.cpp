@@ -82,7 +82,7 @@ std::string withDecimals(double value, int decimals) {
 }
 
 // Two decimals, or three digits of what is 10 or more.
-std::string shortened(double value) {
+std::string withFewDigits(double value) {
     constexpr double kLargest = 1e6; // written out
     if (value < kLargest)
         return withDecimals(value, value < 10 ? 2 : value < 100 ? 1 : 0);
@@ -113,7 +113,7 @@ Stability stability(const Scene& scene) {
 }
 
 StabilityText textOf(const Stability& stability) {
-    StabilityText text{shortened(stability.dtOmega), withDecimals(stability.limit, 2)};
+    StabilityText text{withFewDigits(stability.dtOmega), withDecimals(stability.limit, 2)};
     constexpr int kAllDecimals = 17;
     for (int decimals = 3; !stability.stable() && text.dtOmega == text.limit && decimals <= kAllDecimals;
          ++decimals)

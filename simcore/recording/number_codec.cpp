@@ -12,7 +12,7 @@ namespace {
 
 constexpr unsigned char kEscape = 255; // the number itself is among the escapes
 constexpr int kMostBits = 31;
-constexpr std::size_t kReadAhead = 8; // bytes that are read at once
+constexpr std::size_t kBytesReadAtOnce = 8;
 
 // 0, -1, 1, -2, … as 0, 1, 2, 3, …
 constexpr std::uint32_t folded(std::int32_t value) {
@@ -146,7 +146,7 @@ bool NumberUnpacker::measure() {
     if (m_escapes.size() != bytes + 4 * escapes)
         return false;
     m_bits.assign(m_escapes.substr(0, std::size_t(bytes)));
-    m_bits.append(kReadAhead, '\0');
+    m_bits.append(kBytesReadAtOnce, '\0');
     m_escapes.remove_prefix(std::size_t(bytes));
     return true;
 }

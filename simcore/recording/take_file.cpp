@@ -9,7 +9,7 @@
 namespace clothlab {
 namespace {
 
-TakeFileReading failure(std::string message, std::string remedy) {
+TakeFileReading unreadable(std::string message, std::string remedy) {
     TakeFileReading reading;
     reading.diagnostics.push_back({Severity::Error, "", std::move(message), std::move(remedy)});
     return reading;
@@ -19,22 +19,22 @@ TakeFileReading failure(std::string message, std::string remedy) {
 std::optional<TakeFileReading> refuse(const SharedFile& file, std::uint32_t& version) {
     std::string header(std::size_t(std::min(file.size(), kFileHeaderBytes)), '\0');
     if (!file.read(0, header.data(), header.size()))
-        return failure("the disk reports a fault", "check the disk and try again");
+        return unreadable("the disk reports a fault", "check the disk and try again");
     switch (checkFileHeader(header, version)) {
     case FileHeaderCheck::Good:
         return std::nullopt;
     case FileHeaderCheck::TooShort:
-        return failure("is cut off before its first frame", "there is nothing in it to open");
+        return unreadable("is cut off before its first frame", "there is nothing in it to open");
     case FileHeaderCheck::NoTakeFile:
-        return failure("is no recording", "open a .clothtake file that ClothLab has saved");
+        return unreadable("is no recording", "open a .clothtake file that ClothLab has saved");
     case FileHeaderCheck::Newer:
-        return failure("is a recording of version " + std::to_string(version) + ", newer than version " +
-                           std::to_string(kTakeFileVersion) + ", which this program reads",
-                       "open it with a newer ClothLab");
+        return unreadable("is a recording of version " + std::to_string(version) + ", newer than version " +
+                              std::to_string(kTakeFileVersion) + ", which this program reads",
+                          "open it with a newer ClothLab");
     case FileHeaderCheck::Damaged:
         break;
     }
-    return failure("has a damaged header", "open a copy of it");
+    return unreadable("has a damaged header", "open a copy of it");
 }
 
 void sayWhatIsMissing(const ChunkWalk& walk, std::uint64_t size, const TakeAssembly& assembly,
@@ -146,11 +146,11 @@ std::optional<std::string> writeTo(const std::string& path, const TakeFileConten
 TakeFileReading readTakeFile(const std::string& path) {
     const SharedFile::Opening opening = SharedFile::open(path);
     if (!opening.file)
-        return failure(opening.problem, {});
+        return unreadable(opening.problem, {});
     try {
         return readFrom(opening.file);
     } catch (const std::exception&) {
-        return failure("does not fit into the memory", "close other programs and try again");
+        return unreadable("does not fit into the memory", "close other programs and try again");
     }
 }
 

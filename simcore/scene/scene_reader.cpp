@@ -184,7 +184,7 @@ void SceneReader::readCamera(const ValueReader& value) {
     camera.unknownKeys = object.unknownKeys();
 }
 
-SceneReading failure(std::string message, std::string remedy) {
+SceneReading unreadableScene(std::string message, std::string remedy) {
     return {std::nullopt, {{Severity::Error, "", std::move(message), std::move(remedy)}}};
 }
 
@@ -193,15 +193,15 @@ SceneReading failure(std::string message, std::string remedy) {
 SceneReading readScene(std::string_view json) {
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
     if (json.size() > kMaxSceneBytes)
-        return failure("is larger than " + std::to_string(kMaxSceneBytes >> 20U) + " MiB",
-                       "check that it is the right file");
+        return unreadableScene("is larger than " + std::to_string(kMaxSceneBytes >> 20U) + " MiB",
+                               "check that it is the right file");
     if (json.starts_with(kByteOrderMark))
         json.remove_prefix(kByteOrderMark.size());
     try {
         return SceneReader().read(json);
     } catch (const std::exception&) { // of the memory or the library's own
-        return failure("cannot be read; it may not fit into the memory",
-                       "close other programs or make it smaller");
+        return unreadableScene("cannot be read; it may not fit into the memory",
+                               "close other programs or make it smaller");
     }
 }
 

@@ -53,8 +53,8 @@ std::size_t characterCount(std::string_view text) {
 }
 
 std::string shortened(std::string_view text) {
-    constexpr std::size_t kLength = 40;
-    std::size_t end = std::min(text.size(), kLength);
+    constexpr std::size_t kMostBytes = 40;
+    std::size_t end = std::min(text.size(), kMostBytes);
     while (end > 0 && end < text.size() && continues(text[end]))
         --end;
     std::string result(text.substr(0, end));

@@ -8,11 +8,11 @@ namespace {
 
 // With all around the points pinned.
 std::vector<std::uint8_t> pinnedSlots(const RowLayout& layout, const std::vector<std::uint8_t>& pinned) {
-    std::vector<std::uint8_t> slots(std::size_t(layout.slotCount() + 2 * layout.stride), 1);
+    std::vector<std::uint8_t> mask(std::size_t(layout.slotCount() + 2 * layout.stride), 1);
     for (int y = 0; y < layout.height; ++y)
         for (int x = 0; x < layout.width; ++x)
-            slots[std::size_t(layout.slot(x, y))] = pinned[std::size_t(y * layout.width + x)];
-    return slots;
+            mask[std::size_t(layout.slot(x, y))] = pinned[std::size_t(y * layout.width + x)];
+    return mask;
 }
 
 } // namespace
@@ -51,8 +51,8 @@ int CloudCollision::corrections(const PointArray& position, const std::vector<st
     if (position.size() == 0)
         return 0;
     lay(int(position.size()));
-    const std::vector<std::uint8_t> slots = pinnedSlots(m_rows, pinned);
-    m_collision->setPinned(slots.data());
+    const std::vector<std::uint8_t> mask = pinnedSlots(m_rows, pinned);
+    m_collision->setPinned(mask.data());
     m_collision->setDistance(distance);
     const PointRows points = m_arrays.points(0);
     const PointRows moved = m_arrays.points(3); // from the origin, so that nothing is rounded away
@@ -91,8 +91,8 @@ void collideWith(const Scene& scene, InstructionSet set, const std::vector<std::
     data.last = arrays.points(3);
     copyToRows(state.position, data.layout, data.position);
     copyToRows(state.lastPosition, data.layout, data.last);
-    const std::vector<std::uint8_t> slots = pinnedSlots(data.layout, pinned);
-    data.pinned = slots.data();
+    const std::vector<std::uint8_t> mask = pinnedSlots(data.layout, pinned);
+    data.pinned = mask.data();
     Colliders colliders;
     colliders.set(scene);
     colliders.collide(kernelsFor(set), data, {0, 1});
