@@ -22,12 +22,10 @@
 
 #include <QApplication>
 #include <QDockWidget>
-#include <QScrollArea>
 #include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
-#include <QWindow>
 
 #include <memory>
 
@@ -87,103 +85,31 @@ public:
     bool load(const Scene& scene) { return m_window->files().openUnasked(write("scene.json", scene)); }
 
     // Another window with the same settings; the layout of this one is kept if it was closed.
-    void open() {
-        m_window.reset();
-        m_window = std::make_unique<MainWindow>(
-            std::make_unique<QSettings>(path("settings.ini"), QSettings::IniFormat), m_shaders,
-            path("recovery"));
-        m_window->resize(m_size);
-        m_window->show();
-        m_window->activateWindow();
-        if (!QTest::qWaitForWindowExposed(m_window.get(), kPatience) ||
-            !QTest::qWaitForWindowActive(m_window.get(), kPatience))
-            qFatal("the window does not appear");
-    }
+    void open();
 
-    // Every group of every panel, so that what is in them can be clicked.
-    void unfoldAll() {
-        for (FoldableGroup* group : m_window->findChildren<FoldableGroup*>())
-            group->setFolded(false);
-        QApplication::processEvents();
-    }
-
-    // Shows frame `last`, simulating as far as is needed.
-    bool simulateTo(int last) {
-        while (frameCount() <= last) {
-            const int before = frameCount();
-            simulation().simulateFrame();
-            if (!QTest::qWaitFor([&] { return frameCount() > before || !simulation().blowUp().isEmpty(); },
-                                 kPatience) ||
-                frameCount() == before)
-                return false;
-        }
-        simulation().showFrame(last);
-        return true;
-    }
+    void unfoldAll();          // every group of every panel, so that what is in them can be clicked
+    bool simulateTo(int last); // shows that frame, simulating as far as is needed
 
     // A key as the keyboard sends it: to whatever has the focus.
-    void key(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
-        QTest::keyClick(focusWindow(), key, modifiers);
-    }
-    void type(const QString& text) {
-        for (const QChar c : text)
-            QTest::keyClick(focusWindow(), c.toLatin1());
-    }
+    void key(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
+    void type(const QString& text);
 
     // A click on a widget at that place, or in its middle. Whatever lies over it gets the click instead.
     void click(QWidget* widget, QPoint at = {}, Qt::KeyboardModifiers modifiers = Qt::NoModifier,
-               Qt::MouseButton button = Qt::LeftButton) {
-        mouse(QTest::MousePress, widget, at, modifiers, button);
-        mouse(QTest::MouseRelease, widget, at, modifiers, button);
-    }
-    void doubleClick(QWidget* widget, QPoint at = {}) {
-        mouse(QTest::MouseDClick, widget, at, Qt::NoModifier, Qt::LeftButton);
-        mouse(QTest::MouseRelease, widget, at, Qt::NoModifier, Qt::LeftButton);
-    }
+               Qt::MouseButton button = Qt::LeftButton);
+    void doubleClick(QWidget* widget, QPoint at = {});
     // In steps, as a hand makes them.
     void drag(QWidget* widget, QPoint from, QPoint to, Qt::KeyboardModifiers modifiers = Qt::NoModifier,
-              Qt::MouseButton button = Qt::LeftButton) {
-        constexpr int steps = 8;
-        mouse(QTest::MousePress, widget, from, modifiers, button);
-        for (int i = 1; i <= steps; ++i)
-            mouse(QTest::MouseMove, widget, from + (to - from) * i / steps, modifiers, Qt::NoButton);
-        mouse(QTest::MouseRelease, widget, to, modifiers, button);
-    }
-    void click(QAction* action, QWidget* bar) {
-        for (QToolButton* button : bar->findChildren<QToolButton*>())
-            if (button->defaultAction() == action && button->isVisible())
-                return click(button);
-        QFAIL(qPrintable("no button for " + action->text()));
-    }
+              Qt::MouseButton button = Qt::LeftButton);
+    void click(QAction* action, QWidget* bar);
 
     // Puts the focus into a field by a click and types over what is there.
-    void typeInto(NumberField* field, const QString& text) {
-        click(field);
-        field->selectAll();
-        type(text);
-    }
+    void typeInto(NumberField* field, const QString& text);
 
 private:
     // After a dialog is closed a window manager makes the window the active one again; there may be none
     // here.
-    QWindow* focusWindow() const {
-        if (!QApplication::activeWindow()) {
-            m_window->activateWindow();
-            if (!QTest::qWaitForWindowActive(m_window.get(), kPatience))
-                qFatal("the window does not become the active one");
-        }
-        return QGuiApplication::focusWindow();
-    }
-
-    static void mouse(QTest::MouseAction action, QWidget* widget, QPoint at, Qt::KeyboardModifiers modifiers,
-                      Qt::MouseButton button) {
-        for (QWidget* w = widget->parentWidget(); w && action == QTest::MousePress; w = w->parentWidget())
-            if (auto* area = qobject_cast<QScrollArea*>(w))
-                area->ensureWidgetVisible(widget);
-        const QPoint place = at.isNull() ? widget->rect().center() : at;
-        QTest::mouseEvent(action, widget->window()->windowHandle(), button, modifiers,
-                          widget->mapTo(widget->window(), place));
-    }
+    QWindow* focusWindow() const;
 
     QTemporaryDir m_folder;
     QSize m_size;
