@@ -114,11 +114,18 @@ QWidget* TimelinePanel::makeChoices() {
     for (const PlotQuantity quantity : {PlotQuantity::KineticEnergy, PlotQuantity::GreatestStrain,
                                         PlotQuantity::Contacts, PlotQuantity::None})
         m_quantity->addItem(quantityName(quantity), int(quantity));
-    connect(m_quantity, &QComboBox::activated, this,
-            [this] { m_scrubber->setQuantity(PlotQuantity(m_quantity->currentData().toInt())); });
+    connect(m_quantity, &QComboBox::activated, this, [this] { m_scrubber->setQuantity(quantity()); });
     row->addWidget(new PlaybackControls(m_simulation));
     row->addWidget(m_quantity);
     return part;
+}
+
+void TimelinePanel::setQuantity(PlotQuantity quantity) {
+    const int place = m_quantity->findData(int(quantity));
+    if (place < 0)
+        return;
+    m_quantity->setCurrentIndex(place);
+    m_scrubber->setQuantity(quantity);
 }
 
 void TimelinePanel::setCamera(std::function<Camera()> camera) {

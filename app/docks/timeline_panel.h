@@ -29,6 +29,8 @@ public:
     NumberField* frameField() const { return m_frame; }
     NumberField* timeField() const { return m_time; }
     QString stateText() const { return m_state->text(); }
+    PlotQuantity quantity() const { return PlotQuantity(m_quantity->currentData().toInt()); }
+    void setQuantity(PlotQuantity quantity); // that is plotted behind the frames
 
 signals:
     void rejected(const QString& message);

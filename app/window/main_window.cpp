@@ -182,6 +182,7 @@ void MainWindow::connectSimulationActions() {
     connect(m_actions->simulateFrame, &QAction::triggered, s, &Simulation::simulateFrame);
     connect(m_actions->restart, &QAction::triggered, s, &Simulation::restart);
     connectPlaybackActions();
+    restorePlayback();
     connectPrecisionActions();
     connect(s, &Simulation::frameShown, this, &MainWindow::updateTransport);
     connect(s, &Simulation::recordingChanged, this, &MainWindow::updateTransport);
@@ -266,6 +267,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         return;
     }
     keepLayout();
+    keepPlayback();
     event->accept();
 }
 

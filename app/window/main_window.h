@@ -100,6 +100,8 @@ private:
     void arrangeDocks();
     void restoreLayout();
     void keepLayout();
+    void keepPlayback();
+    void restorePlayback();
     void setPanelsHidden(bool hidden);
     void updateTitle();
     void updateTransport();

@@ -1,4 +1,5 @@
 // The part of the main window that plays: speed, loops, in and out points, markers, and what can be used now.
+#include "app/docks/timeline_panel.h"
 #include "app/window/actions.h"
 #include "app/window/main_window.h"
 
@@ -46,6 +47,25 @@ void MainWindow::connectPlaybackActions() {
     for (const auto signal : {&Simulation::playbackChanged, &Simulation::marksChanged})
         connect(s, signal, this, &MainWindow::updateTransport);
     connect(s, &Simulation::playingChanged, this, &MainWindow::updateTransport);
+}
+
+// Not whether it repeats: who plays in a new session wants to see the cloth move on.
+void MainWindow::keepPlayback() {
+    const PlaybackSettings& playback = m_simulation.playback();
+    m_settings->setValue("playbackSpeed", playback.speed);
+    m_settings->setValue("playInRealTime", playback.realTime);
+    m_settings->setValue("plotQuantity", int(m_timelinePanel->quantity()));
+}
+
+void MainWindow::restorePlayback() {
+    PlaybackSettings playback = m_simulation.playback();
+    const double speed = m_settings->value("playbackSpeed", playback.speed).toDouble();
+    if (std::ranges::count(kSpeeds, speed) > 0)
+        playback.speed = speed;
+    playback.realTime = m_settings->value("playInRealTime", playback.realTime).toBool();
+    m_simulation.setPlayback(playback);
+    const int quantity = int(m_timelinePanel->quantity());
+    m_timelinePanel->setQuantity(PlotQuantity(m_settings->value("plotQuantity", quantity).toInt()));
 }
 
 void MainWindow::updateTransport() {

@@ -1,6 +1,7 @@
 // Panels: floated, tabbed, hidden, put back, and kept between runs.
 #include "tests/gui/test_window.h"
 
+#include <QComboBox>
 #include <QMenuBar>
 #include <QToolBar>
 
@@ -19,6 +20,7 @@ private slots:
     void panelsCanBeTabbed();
     void resetPutsEverythingBack();
     void theLayoutIsKeptBetweenRuns();
+    void howItPlaysIsKeptBetweenRunsButNotThatItRepeats();
     void aSpoiltLayoutIsIgnored();
     void allPanelsHideAndComeBackAsTheyWere();
     void panelsHiddenWhenClosingAreThereNextTime();
@@ -152,6 +154,29 @@ void TestDocks::theLayoutIsKeptBetweenRuns() {
     QVERIFY(window().dock("timeline")->visibleRegion().isEmpty());
 }
 
+void TestDocks::howItPlaysIsKeptBetweenRunsButNotThatItRepeats() {
+    m_window->key(Qt::Key_BracketRight);
+    m_window->key(Qt::Key_L);
+    auto* pace = window().findChild<QComboBox*>("playbackPace");
+    auto* quantity = window().findChild<QComboBox*>("plotQuantity");
+    for (QComboBox* choice : {pace, quantity}) {
+        choice->setFocus();
+        m_window->key(Qt::Key_Down);
+    }
+    const QString plotted = quantity->currentText();
+    const PlaybackSettings before = m_window->simulation().playback();
+    QCOMPARE(before.speed, 2.0);
+    QVERIFY(before.realTime && before.repeat == Repeat::Loop);
+    QVERIFY(window().close());
+
+    m_window->open();
+    const PlaybackSettings kept = m_window->simulation().playback();
+    QCOMPARE(kept.speed, 2.0);
+    QVERIFY(kept.realTime && kept.repeat == Repeat::Once);
+    QCOMPARE(window().findChild<QComboBox*>("playbackSpeed")->currentText(), QStringLiteral("2×"));
+    QCOMPARE(window().findChild<QComboBox*>("plotQuantity")->currentText(), plotted);
+}
+
 void TestDocks::aSpoiltLayoutIsIgnored() {
     const auto before = places();
     QVERIFY(window().close());
@@ -160,6 +185,8 @@ void TestDocks::aSpoiltLayoutIsIgnored() {
     settings.setValue("geometry", QByteArray("spoilt"));
     settings.setValue("recentFiles", 3.5);
     settings.setValue("theme", QByteArray("plaid"));
+    settings.setValue("playbackSpeed", -1);
+    settings.setValue("plotQuantity", 77);
     settings.sync();
     m_window->open();
     QVERIFY(settlesTo(before));
