@@ -17,7 +17,7 @@ constexpr unsigned kPatience = 90; // s
 
 void sayWhere(int) {
     static const char words[] = "\nStill running; the main thread is here:\n";
-    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, words, sizeof words - 1);
+    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, words, sizeof words - 1);
     __sanitizer_print_stack_trace();
 }
 
