@@ -101,11 +101,10 @@ build() {
         sed -u -e '/^ninja: no work to do/d' -e '/Re-checking globbed directories/d' >&2
 }
 
-# Runs a command, and returns its status, with an X server of its own where there is one to be had. It does not begin
-# anew whenever a test was the last to leave it: the next one might come just then.
+# Runs a command, and returns its status, with an X server of its own where there is one to be had.
 with_display() {
     if command -v xvfb-run >/dev/null; then
-        xvfb-run -a -s "-screen 0 1600x1200x24 -noreset" "$@"
+        xvfb-run -a -s "-screen 0 1600x1200x24" "$@"
     else
         "$@"
     fi

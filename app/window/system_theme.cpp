@@ -4,6 +4,7 @@
 #include <QDBusMessage>
 #include <QDBusPendingCallWatcher>
 #include <QDBusPendingReply>
+#include <QFileInfo>
 
 namespace clothlab {
 namespace {
@@ -21,9 +22,18 @@ QVariant unwrapped(QVariant value) {
     return value;
 }
 
+// Where a session has no bus, the D-Bus library would start one: it would have no portal, and the window
+// would wait for it.
+bool hasSessionBus() {
+    return qEnvironmentVariableIsSet("DBUS_SESSION_BUS_ADDRESS") ||
+           QFileInfo::exists(qEnvironmentVariable("XDG_RUNTIME_DIR") + QStringLiteral("/bus"));
+}
+
 } // namespace
 
 SystemTheme::SystemTheme(QObject* parent) : QObject(parent) {
+    if (!hasSessionBus())
+        return;
     QDBusConnection bus = QDBusConnection::sessionBus();
     if (!bus.isConnected())
         return;
