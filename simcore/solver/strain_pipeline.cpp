@@ -11,7 +11,8 @@ namespace clothlab {
 // springs of earlier stencils that end in these rows have to have had their turn: those that start as far
 // below as they reach up.
 void StrainPipeline::configure(int members, const StepData& data) {
-    std::vector<Stage> stages;
+    std::vector<Stage>& stages = m_stages;
+    stages.clear();
     int behind = 0;
     int reach = 0;
     for (int s = 0; s < int(kStencils.size()); ++s) {
@@ -43,7 +44,6 @@ void StrainPipeline::advance(int member, int pass, int ready, const StepData& da
         member > 0 ? &m_members[std::size_t(member - 1)].rowsDone : nullptr;
     const bool last = member == m_count - 1;
     const int height = data.layout.height;
-    const auto isRow = [&](int y) { return y >= 0 && y < height; };
     const std::int64_t passed = std::int64_t(pass) * m_rows;
     const auto end = passed + (ready < height ? ready : m_rows);
     std::int64_t seen = 0;
@@ -51,16 +51,33 @@ void StrainPipeline::advance(int member, int pass, int ready, const StepData& da
         if (before != nullptr && seen <= done)
             waitUntil(*before, [&](std::int64_t value) { return (seen = value) > done; });
         const int row = int(done - passed);
-        std::array<StencilRow, kStencils.size()> rows{};
-        int count = 0;
-        for (const Stage& stage : mine.stages)
-            if (const int y = row - stage.rowsBehind; isRow(y))
-                rows[std::size_t(count++)] = {stage.stencil, y};
-        result.corrections += kernels.limitRows(data, rows.data(), count);
+        limit(mine.stages, row, data, kernels, result);
         mine.rowsDone.store(done + 1, std::memory_order_release);
-        if (const int y = row - m_lastBehind; last && isRow(y) && result.runaway < 0)
-            result.runaway = kernels.firstRunaway(data, {y, y + 1});
+        if (last)
+            findRunaway(row, data, kernels, result);
     }
+}
+
+void StrainPipeline::limitAt(int row, const StepData& data, const Kernels& kernels, Result& result) const {
+    limit(m_stages, row, data, kernels, result);
+    findRunaway(row, data, kernels, result);
+}
+
+void StrainPipeline::limit(const std::vector<Stage>& stages, int row, const StepData& data,
+                           const Kernels& kernels, Result& result) const {
+    std::array<StencilRow, kStencils.size()> rows{};
+    int count = 0;
+    for (const Stage& stage : stages)
+        if (const int y = row - stage.rowsBehind; y >= 0 && y < data.layout.height)
+            rows[std::size_t(count++)] = {stage.stencil, y};
+    result.corrections += kernels.limitRows(data, rows.data(), count);
+}
+
+void StrainPipeline::findRunaway(int row, const StepData& data, const Kernels& kernels,
+                                 Result& result) const {
+    const int y = row - m_lastBehind;
+    if (y >= 0 && y < data.layout.height && result.runaway < 0)
+        result.runaway = kernels.firstRunaway(data, {y, y + 1});
 }
 
 } // namespace clothlab

@@ -29,6 +29,13 @@ public:
     void advance(int member, int pass, int ready, const StepData& data, const Kernels& kernels,
                  Result& result);
 
+    // The same work, cut into rows instead of stencils, for who knows what is ready. A pass goes through
+    // rows() rows, more than the sheet has; after row n of it, row n - rowsBehind() of the sheet is in its
+    // final place.
+    int rows() const { return m_rows; }
+    int rowsBehind() const { return m_lastBehind; }
+    void limitAt(int row, const StepData& data, const Kernels& kernels, Result& result) const;
+
 private:
     struct Stage {
         int stencil;
@@ -38,6 +45,11 @@ private:
         std::vector<Stage> stages;
         std::atomic<std::int64_t> rowsDone{0}; // over all passes; of sweeps, see advance()
     };
+    void limit(const std::vector<Stage>& stages, int row, const StepData& data, const Kernels& kernels,
+               Result& result) const;
+    void findRunaway(int row, const StepData& data, const Kernels& kernels, Result& result) const;
+
+    std::vector<Stage> m_stages;
     int m_rows = 0;       // of a pass: those of the sheet, and as many as the last stage is behind
     int m_lastBehind = 0; // a row is in its final place so many rows behind the first stencil's
     int m_count = 0;

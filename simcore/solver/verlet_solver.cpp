@@ -50,7 +50,6 @@ VerletSolver::VerletSolver(const Scene& scene, const SolverSettings& settings)
 }
 
 void VerletSolver::makeMembers(int count) {
-    m_members.reserve(std::size_t(count));
     const int rows = m_data.layout.height;
     for (int m = 0; m < count; ++m)
         m_members.emplace_back(
@@ -60,7 +59,7 @@ void VerletSolver::makeMembers(int count) {
     for (const Member& member : m_members)
         bands.push_back(member.rows);
     m_selfCollision.setSheet(m_data.layout, bands);
-    m_job = [this](int member) { work(member); };
+    m_job = [this](int member) { collidesWithItself() ? work(member) : workInWave(member); };
     m_barrier = std::make_unique<Barrier>(count);
     m_team = std::make_unique<WorkerTeam>(count);
 }
@@ -141,45 +140,25 @@ bool VerletSolver::anyRunawayAtEnd() const {
     return std::ranges::any_of(m_members, [](const Member& member) { return member.strain.runaway >= 0; });
 }
 
-// The first phases, a few rows at a time while they are in the cache: all that need not wait for other rows.
-void VerletSolver::moveRows(int number, int step, StepData& data) {
-    constexpr int kRows = 16;
+void VerletSolver::moveRows(int number, StepData& data) {
     Member& member = m_members[std::size_t(number)];
-    StepData next = data;
-    std::swap(next.position, next.last);
-    member.runaway = -1;
-    if (isUncut())
-        member.strain = {};
-    for (int y = member.rows.begin; y < member.rows.end; y += kRows) {
-        const RowRange rows{y, std::min(y + kRows, member.rows.end)};
-        const int runaway = m_kernels->verletRows(data, rows, member.forces, y > member.rows.begin);
-        if (member.runaway < 0)
-            member.runaway = runaway;
-        if (!collidesWithItself())
-            m_colliders.collide(*m_kernels, next, rows);
-        if (isUncut())
-            limitStrain(number, step, rows.end, next);
-    }
-    data = next;
+    member.runaway = m_kernels->verletRows(data, member.rows, member.forces, false);
+    std::swap(data.position, data.last);
 }
 
 // One step of a member. False: a point ran away.
 bool VerletSolver::takeStep(int number, int step, StepData& data) {
     Member& member = m_members[std::size_t(number)];
-    moveRows(number, step, data);
+    moveRows(number, data);
     m_barrier->wait();
     // Before anything looks for neighbours: what is not a number has no cell, and would spread.
     if (anyRunaway())
         return false;
-    if (collidesWithItself()) {
-        collideWithItself(number, data);
-        m_colliders.collide(*m_kernels, data, member.rows);
-        m_barrier->wait();
-    }
-    if (!isUncut()) {
-        member.strain = {};
-        limitStrain(number, step, data.layout.height, data);
-    }
+    collideWithItself(number, data);
+    m_colliders.collide(*m_kernels, data, member.rows);
+    m_barrier->wait();
+    member.strain = {};
+    limitStrain(number, step, data.layout.height, data);
     member.strainLimitCorrections += member.strain.corrections;
     if (number == 0)
         m_stopping = m_stop->load(std::memory_order_relaxed);
@@ -209,6 +188,7 @@ void VerletSolver::begin(const ClothState& state) {
         member.runaway = -1;
         member.strain = {};
         member.strainLimitCorrections = 0;
+        member.rowsLimited.store(0, std::memory_order_relaxed);
     }
 }
 
@@ -218,8 +198,11 @@ RunResult VerletSolver::run(ClothState& state, int steps, const std::atomic<bool
         return result;
     begin(state);
     m_steps = steps;
+    m_waveEnd.store(steps, std::memory_order_relaxed);
     m_stop = &stop;
     m_team->run(m_job);
+    if (!collidesWithItself())
+        endWave();
     result.steps = m_stepsDone;
     for (const Member& member : m_members)
         result.strainLimitCorrections += member.strainLimitCorrections;

@@ -12,6 +12,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -87,6 +88,7 @@ private:
         int runaway = -1;              // slot, after Verlet
         StrainPipeline::Result strain; // of the step at hand
         std::int64_t strainLimitCorrections = 0;
+        alignas(64) std::atomic<std::int64_t> rowsLimited{0}; // of all steps of a wave; see stepInWave()
     };
     void makeMembers(int count);
     void setPinnedSlots();
@@ -94,15 +96,20 @@ private:
     void store(ClothState& state) const;
 
     void work(int number); // a member's share of the run at hand
+    void workInWave(int number);
+    bool stepInWave(int number, int step, StepData& data);
+    bool moveInWave(int number, int step, StepData& data);
+    bool limitInWave(int number, int step, RowRange rows, const StepData& data);
+    bool waitInWave(int number, int step, std::int64_t rowsLimited) const;
+    void endWaveBefore(int step);
+    void endWave();
     void collideWithItself(int member, const StepData& data);
     void limitStrain(int number, int step, int ready, const StepData& data);
-    void moveRows(int number, int step, StepData& data);
+    void moveRows(int number, StepData& data);
     bool takeStep(int number, int step, StepData& data);
     bool anyRunaway() const;      // after Verlet
     bool anyRunawayAtEnd() const; // after the strain limit
     bool collidesWithItself() const { return m_scene.cloth.thickness > 0; }
-    // Then all phases of a row can follow one another.
-    bool isUncut() const { return m_members.size() == 1 && !collidesWithItself(); }
 
     StepResult watchedStep(ClothState& state, const PhaseObserver& observer);
     BlowUp findBlowUp(ClothState state, int steps);
@@ -120,11 +127,12 @@ private:
     StepData m_data;
     SelfCollision m_selfCollision;
     Colliders m_colliders;
-    std::vector<Member> m_members;
+    std::deque<Member> m_members; // cannot be moved
     StrainPipeline m_strainPipeline;
 
     // Of the run at hand.
     int m_steps = 0;
+    std::atomic<int> m_waveEnd = 0; // the steps before it are done by all
     int m_stepsDone = 0;
     bool m_stopping = false;
     const std::atomic<bool>* m_stop = nullptr;
