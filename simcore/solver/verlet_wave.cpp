@@ -75,7 +75,9 @@ bool VerletSolver::limitInWave(int number, int step, RowRange rows, const StepDa
             endWaveBefore(step);
             return false;
         }
-        member.rowsLimited.store(passed + row + 1, std::memory_order_release);
+        // Not after each row: whoever waits for this takes the cache line away.
+        if ((row + 1) % kRowsAtATime == 0 || row + 1 == end)
+            member.rowsLimited.store(passed + row + 1, std::memory_order_release);
     }
     return true;
 }
