@@ -37,15 +37,14 @@ void StrainPipeline::restart() {
         m_members[std::size_t(m)].rowsDone.store(0, std::memory_order_relaxed);
 }
 
-void StrainPipeline::advance(int member, int pass, int ready, const StepData& data, const Kernels& kernels,
+void StrainPipeline::advance(int member, int pass, const StepData& data, const Kernels& kernels,
                              Result& result) {
     Member& mine = m_members[std::size_t(member)];
     const std::atomic<std::int64_t>* before =
         member > 0 ? &m_members[std::size_t(member - 1)].rowsDone : nullptr;
     const bool last = member == m_count - 1;
-    const int height = data.layout.height;
     const std::int64_t passed = std::int64_t(pass) * m_rows;
-    const auto end = passed + (ready < height ? ready : m_rows);
+    const auto end = passed + m_rows;
     std::int64_t seen = 0;
     for (std::int64_t done = mine.rowsDone.load(std::memory_order_relaxed); done < end; ++done) {
         if (before != nullptr && seen <= done)

@@ -18,16 +18,14 @@ public:
 
     void restart(); // before a run, by one thread
 
-    // What one member does of the strain limit, at the same time as the others; pass: counts from 0 since
-    // restart(). Shortens springs as far as they can be once the rows before `ready` are where the phases
-    // before put them: all, once ready is the number of rows. The last member also looks for the first
+    // What one member does of the strain limit, at the same time as the others, once all rows are where the
+    // phases before put them; pass: counts from 0 since restart(). The last member also looks for the first
     // runaway.
     struct Result {
         int corrections = 0;
         int runaway = -1; // slot
     };
-    void advance(int member, int pass, int ready, const StepData& data, const Kernels& kernels,
-                 Result& result);
+    void advance(int member, int pass, const StepData& data, const Kernels& kernels, Result& result);
 
     // The same work, cut into rows instead of stencils, for who knows what is ready. A pass goes through
     // rows() rows, more than the sheet has; after row n of it, row n - rowsBehind() of the sheet is in its

@@ -128,8 +128,8 @@ void VerletSolver::collideWithItself(int member, const StepData& data) {
     self.apply(member, data.position, 1.0 / m_scene.simulation.stepsPerFrame);
 }
 
-void VerletSolver::limitStrain(int number, int step, int ready, const StepData& data) {
-    m_strainPipeline.advance(number, step, ready, data, *m_kernels, m_members[std::size_t(number)].strain);
+void VerletSolver::limitStrain(int number, int step, const StepData& data) {
+    m_strainPipeline.advance(number, step, data, *m_kernels, m_members[std::size_t(number)].strain);
 }
 
 bool VerletSolver::anyRunaway() const {
@@ -158,7 +158,7 @@ bool VerletSolver::takeStep(int number, int step, StepData& data) {
     m_colliders.collide(*m_kernels, data, member.rows);
     m_barrier->wait();
     member.strain = {};
-    limitStrain(number, step, data.layout.height, data);
+    limitStrain(number, step, data);
     member.strainLimitCorrections += member.strain.corrections;
     if (number == 0)
         m_stopping = m_stop->load(std::memory_order_relaxed);
@@ -262,7 +262,7 @@ StepResult VerletSolver::watchedStep(ClothState& state, const PhaseObserver& obs
     });
     share(Phase::Colliders,
           [&](int m) { m_colliders.collide(*m_kernels, m_data, m_members[std::size_t(m)].rows); });
-    share(Phase::StrainLimit, [&](int m) { limitStrain(m, 0, m_data.layout.height, m_data); });
+    share(Phase::StrainLimit, [&](int m) { limitStrain(m, 0, m_data); });
 
     StepResult result;
     for (const Member& member : m_members)

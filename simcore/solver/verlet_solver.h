@@ -104,7 +104,7 @@ private:
     void endWaveBefore(int step);
     void endWave();
     void collideWithItself(int member, const StepData& data);
-    void limitStrain(int number, int step, int ready, const StepData& data);
+    void limitStrain(int number, int step, const StepData& data);
     void moveRows(int number, StepData& data);
     bool takeStep(int number, int step, StepData& data);
     bool anyRunaway() const;      // after Verlet
