@@ -1,7 +1,6 @@
 #include "app/picture/scene_frame.h"
 
 #include "app/picture/to_vector_3d.h"
-
 #include "app/widgets/theme.h"
 #include "simcore/inspect/inspect.h"
 
