@@ -19,6 +19,8 @@ constexpr double kCellSizeCrowded = 1;
 // On average a block of points. A sheet that crowds more is looked through without lists, which would take
 // too much memory.
 constexpr std::size_t kMostListed = 192;
+// Points of a band whose motion is foretold, along each side.
+constexpr int kSamples = 4;
 
 } // namespace
 
@@ -62,28 +64,38 @@ void SelfCollision::setSheet(const RowLayout& layout, const std::vector<RowRange
     }
 }
 
-// The mean of a sample is near enough: this is no more than a guess at what serves best.
-std::array<double, 3> SelfCollision::commonMotion(ConstPointRows position) const {
-    constexpr int kSamples = 8; // along each side
-    std::array<double, 3> sum{};
+// What all points move together brings none nearer to another, so a falling sheet keeps its lists. The mean
+// of a sample is near enough, and so is a step like the one before: this is a guess at what serves best.
+void SelfCollision::foretell(int band, ConstPointRows position, ConstPointRows last) {
+    Band& b = m_bands[std::size_t(band)];
+    b.foretold = {};
     for (int n = 0; n < kSamples * kSamples; ++n) {
-        const int slot = m_layout.slot((n % kSamples * 2 + 1) * m_layout.width / (2 * kSamples),
-                                       (n / kSamples * 2 + 1) * m_layout.height / (2 * kSamples));
-        sum[0] += position.x[slot] - m_listedAt.x[slot];
-        sum[1] += position.y[slot] - m_listedAt.y[slot];
-        sum[2] += position.z[slot] - m_listedAt.z[slot];
+        const int x = (n % kSamples * 2 + 1) * m_layout.width / (2 * kSamples);
+        const int rows = b.rows.end - b.rows.begin;
+        const int slot = m_layout.slot(x, b.rows.begin + (n / kSamples * 2 + 1) * rows / (2 * kSamples));
+        b.foretold[0] += 2 * position.x[slot] - last.x[slot] - m_listedAt.x[slot];
+        b.foretold[1] += 2 * position.y[slot] - last.y[slot] - m_listedAt.y[slot];
+        b.foretold[2] += 2 * position.z[slot] - last.z[slot] - m_listedAt.z[slot];
     }
-    for (double& coordinate : sum)
-        coordinate /= kSamples * kSamples;
-    return sum;
 }
 
-// What all points have moved together brings none nearer to another, so a falling sheet keeps its lists.
-void SelfCollision::measure(int band, ConstPointRows position) {
+std::array<double, 3> SelfCollision::commonMotion() const {
+    std::array<double, 3> mean{};
+    for (const Band& band : m_bands)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            mean[axis] += band.foretold[axis] / (kSamples * kSamples * double(m_bands.size()));
+    return mean;
+}
+
+void SelfCollision::measure(int band, ConstPointRows position, RowRange rows) {
     Band& b = m_bands[std::size_t(band)];
-    const std::array<double, 3> motion = commonMotion(position);
-    b.commonMotion = std::abs(motion[0]) + std::abs(motion[1]) + std::abs(motion[2]);
-    b.farthestSquared = m_kernels->farthestSquared(m_layout, b.rows, position, m_listedAt, motion);
+    const std::array<double, 3> motion = commonMotion();
+    if (rows.begin == b.rows.begin) {
+        b.farthestSquared = 0;
+        b.commonMotion = std::abs(motion[0]) + std::abs(motion[1]) + std::abs(motion[2]);
+    }
+    b.farthestSquared =
+        std::max(b.farthestSquared, m_kernels->farthestSquared(m_layout, rows, position, m_listedAt, motion));
 }
 
 bool SelfCollision::listsHold(int band) {

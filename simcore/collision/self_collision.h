@@ -35,16 +35,18 @@ public:
     void setPinned(const std::uint8_t* pinned) { m_pinned = pinned; } // by slot, 1 or 0; must outlive this
     void setDistance(double distance) { m_distance = distance; }      // m; greater than 0
 
-    // 1: how far points have moved since the lists were made; whether they hold is then the same for all
-    // bands.
-    void measure(int band, ConstPointRows position);
-    bool listsHold(int band);
+    // 1, before a step moves any point: how far the band is going to have moved since the lists were made.
+    void foretell(int band, ConstPointRows position, ConstPointRows last);
+    // 2: how far its points have, rows after rows of it.
+    void measure(int band, ConstPointRows position, RowRange rows);
 
-    // 2, where they do not: by one thread, then by all.
+    // 3: whether the lists hold; the same for all bands. Where they do not, they are made anew: by one
+    // thread, then by all.
+    bool listsHold(int band);
     void sortIntoCells(ConstPointRows position);
     void list(int band, ConstPointRows position);
 
-    // 3: which pairs are too near, what they ask of each point, and its being done.
+    // 4: which pairs are too near, what they ask of each point, and its being done.
     void findPairs(int band, ConstPointRows position);
     bool anyPairs() const;
     void addUp(int band, ConstPointRows position);
@@ -66,12 +68,13 @@ private:
     };
     struct alignas(64) Band {
         RowRange rows;
-        double listedDistance = -1; // for which the lists were made; negative: there are none
-        double skin = 0;            // of the lists, as a share of the distance
-        int age = 0;                // of the lists, in steps
-        double farthestSquared = 0; // that a point has moved since
-        double commonMotion = 0;    // that does not count in it
-        bool crowded = false;       // too many pairs to list
+        double listedDistance = -1;       // for which the lists were made; negative: there are none
+        double skin = 0;                  // of the lists, as a share of the distance
+        int age = 0;                      // of the lists, in steps
+        std::array<double, 3> foretold{}; // sum of the motions of a few points since
+        double commonMotion = 0;          // of all points, that does not count in the next
+        double farthestSquared = 0;       // that a point has moved
+        bool crowded = false;             // too many pairs to list
         // Within the skin, above the block's point and not next to it in the grid: block after block.
         std::vector<std::uint32_t> listEnd;
         std::vector<NearBlock> listed;
@@ -79,7 +82,7 @@ private:
         CellGrid::Search search;
         std::vector<std::uint32_t> neighbours; // of one point
     };
-    std::array<double, 3> commonMotion(ConstPointRows position) const;
+    std::array<double, 3> commonMotion() const;
     bool crowded() const;
     std::size_t listBlock(Band& band, ConstPointRows position, int x, int y, std::size_t at) const;
     bool owns(const Band& band, std::uint32_t slot) const;

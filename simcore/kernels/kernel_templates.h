@@ -221,6 +221,20 @@ public:
         return corrections;
     }
 
+    static bool anyTooLong(const StepData& shared, StencilRow row) {
+        const StepData data = shared;
+        const int offset = slotOffset(data.layout, row.stencil);
+        const double* const rest = data.restLength[std::size_t(row.stencil)][row.y];
+        M any = L::less(L::all(0), L::all(0));
+        for (int x = 0; x < data.layout.width; x += L::kCount) {
+            const int a = data.layout.slot(x, row.y);
+            const Row along = Row::load(data.position, a + offset) - Row::load(data.position, a);
+            const V limit = longest(rest + x);
+            any = L::either(any, L::less(limit * limit, along.lengthSquared()));
+        }
+        return L::bits(any) != 0;
+    }
+
     static int firstRunaway(const StepData& shared, RowRange rows) {
         const StepData data = shared; // see above
         const V limitSquared = L::all(data.runawayDistance * data.runawayDistance);
@@ -235,17 +249,20 @@ public:
     }
 
 private:
+    static V longest(const double* rest) {
+        return L::all(1 + kMaxStrain) * L::load(rest);
+    }
+
     template <bool chained>
     static int limitRow(const StepData& data, int stencil, int y) {
         const int offset = slotOffset(data.layout, stencil);
         const double* const rest = data.restLength[std::size_t(stencil)][y];
-        const V stretch = L::all(1 + kMaxStrain);
         int corrections = 0;
         for (int x = 0; x < data.layout.width; x += L::kCount) {
             const int a = data.layout.slot(x, y);
             const Row pa = Row::load(data.position, a);
             const Row pb = Row::load(data.position, a + offset);
-            const V limit = stretch * L::load(rest + x);
+            const V limit = longest(rest + x);
             const M tooLong = L::less(limit * limit, (pb - pa).lengthSquared());
             if (L::bits(tooLong) == 0)
                 continue;
@@ -312,8 +329,8 @@ template <typename L>
 constexpr Kernels makeKernels() {
     using K = KernelTemplates<L>;
     using N = NeighbourTemplates<L>;
-    return {&K::verletRows,      &K::collideSphere, &K::collidePlane, &K::limitRows, &K::firstRunaway,
-            &N::farthestSquared, &N::adjacentPairs, &N::listedPairs,  &N::nearBlock};
+    return {&K::verletRows,   &K::collideSphere,   &K::collidePlane,  &K::limitRows,   &K::anyTooLong,
+            &K::firstRunaway, &N::farthestSquared, &N::adjacentPairs, &N::listedPairs, &N::nearBlock};
 }
 
 } // namespace

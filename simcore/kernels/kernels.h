@@ -102,6 +102,8 @@ struct Kernels {
     // Phase 5 for the springs of a stencil that start in a row, one stencil and row after another. How many
     // it shortened.
     int (*limitRows)(const StepData& data, const StencilRow* rows, int count);
+    // Whether one of the springs of a stencil that start in a row is too long.
+    bool (*anyTooLong)(const StepData& data, StencilRow row);
 
     int (*firstRunaway)(const StepData& data, RowRange rows);
 

@@ -1,57 +1,52 @@
 // The order of the strain limit, spring after spring, kept by a pipeline: each stencil follows the one before
-// it a few rows behind, in one pass over the sheet, and threads take a stencil or a few each.
+// it a few rows behind, in one pass over the sheet.
 #pragma once
 
 #include "simcore/kernels/kernels.h"
 
-#include <atomic>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 namespace clothlab {
 
 class StrainPipeline {
 public:
-    // For a number of threads, and the stencils that are switched on.
-    void configure(int members, const StepData& data);
+    void configure(const StepData& data); // for the stencils that are switched on
 
-    void restart(); // before a run, by one thread
-
-    // What one member does of the strain limit, at the same time as the others, once all rows are where the
-    // phases before put them; pass: counts from 0 since restart(). The last member also looks for the first
-    // runaway.
-    struct Result {
-        int corrections = 0;
-        int runaway = -1; // slot
-    };
-    void advance(int member, int pass, const StepData& data, const Kernels& kernels, Result& result);
-
-    // The same work, cut into rows instead of stencils, for who knows what is ready. A pass goes through
-    // rows() rows, more than the sheet has; after row n of it, row n - rowsBehind() of the sheet is in its
-    // final place.
+    // A pass goes through so many rows, one after another, more than the sheet has; after row n of it, row
+    // n - rowsBehind() of the sheet is in its final place.
     int rows() const { return m_rows; }
-    int rowsBehind() const { return m_lastBehind; }
-    void limitAt(int row, const StepData& data, const Kernels& kernels, Result& result) const;
+    int rowsBehind() const { return m_rowsBehind; }
+
+    // A row of the pass. How many springs it shortened.
+    int limitAt(int row, const StepData& data, const Kernels& kernels) const;
+
+    // Which of some rows of the sheet need no correction, for all that is known. A thread that waits for its
+    // turn looks before, and then needs to go through those only that are too long or were moved since.
+    class Glance {
+    public:
+        explicit Glance(RowRange rows);
+
+    private:
+        friend class StrainPipeline;
+        bool isCalm(int stencil, int y) const; // its springs that start in row y
+        void setMoved(int y);
+
+        RowRange m_rows;
+        std::vector<std::uint8_t> m_tooLong; // by row, a bit a stencil
+        std::vector<std::uint8_t> m_moved;   // by row
+    };
+    void look(const StepData& data, const Kernels& kernels, Glance& glance) const;
+    int limitAt(int row, const StepData& data, const Kernels& kernels, Glance& glance) const;
 
 private:
     struct Stage {
         int stencil;
-        int rowsBehind; // the first stencil's row
+        int rowsBehind; // the row of the pass
     };
-    struct alignas(64) Member {
-        std::vector<Stage> stages;
-        std::atomic<std::int64_t> rowsDone{0}; // over all passes; of sweeps, see advance()
-    };
-    void limit(const std::vector<Stage>& stages, int row, const StepData& data, const Kernels& kernels,
-               Result& result) const;
-    void findRunaway(int row, const StepData& data, const Kernels& kernels, Result& result) const;
-
     std::vector<Stage> m_stages;
-    int m_rows = 0;       // of a pass: those of the sheet, and as many as the last stage is behind
-    int m_lastBehind = 0; // a row is in its final place so many rows behind the first stencil's
-    int m_count = 0;
-    std::unique_ptr<Member[]> m_members;
+    int m_rows = 0;
+    int m_rowsBehind = 0;
 };
 
 } // namespace clothlab

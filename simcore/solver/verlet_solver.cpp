@@ -59,7 +59,7 @@ void VerletSolver::makeMembers(int count) {
     for (const Member& member : m_members)
         bands.push_back(member.rows);
     m_selfCollision.setSheet(m_data.layout, bands);
-    m_job = [this](int member) { collidesWithItself() ? work(member) : workInWave(member); };
+    m_job = [this](int member) { collidesWithItself() ? workInRounds(member) : workInWave(member); };
     m_barrier = std::make_unique<Barrier>(count);
     m_team = std::make_unique<WorkerTeam>(count);
 }
@@ -83,7 +83,7 @@ void VerletSolver::setScene(const Scene& scene) {
     m_data.runawayDistance = 10 * (scene.cloth.width + scene.cloth.height);
     m_colliders.set(scene);
     m_selfCollision.setDistance(2 * scene.cloth.thickness);
-    m_strainPipeline.configure(threads(), m_data);
+    m_strainPipeline.configure(m_data);
 }
 
 // What lies around the points counts as pinned: nothing moves it.
@@ -106,30 +106,41 @@ void VerletSolver::store(ClothState& state) const {
     copyFromRows(m_data.last, m_data.layout, state.lastPosition);
 }
 
-// The shares of one member in each phase. Between two phases all members meet.
+int VerletSolver::owner(int passRow) const {
+    int number = 0;
+    while (number + 1 < threads() && m_members[std::size_t(number)].rows.end <= passRow)
+        ++number;
+    return number;
+}
 
-void VerletSolver::collideWithItself(int member, const StepData& data) {
+// Phases 1 and 2 of the next step, for rows of a member's, one after another.
+void VerletSolver::moveRows(int number, RowRange rows, const StepData& data) {
+    Member& member = m_members[std::size_t(number)];
+    const int runaway = m_kernels->verletRows(data, rows, member.forces, rows.begin > member.rows.begin);
+    if (member.runaway < 0)
+        member.runaway = runaway;
+    if (collidesWithItself())
+        m_selfCollision.measure(number, data.last, rows);
+}
+
+// All members have to have moved their rows. When one is done, the others look at its points no more.
+void VerletSolver::collideWithItself(int number, const StepData& data) {
     SelfCollision& self = m_selfCollision;
-    self.measure(member, data.position);
-    m_barrier->wait();
-    if (!self.listsHold(member)) {
-        if (member == 0)
+    if (!self.listsHold(number)) {
+        if (number == 0)
             self.sortIntoCells(data.position);
         m_barrier->wait();
-        self.list(member, data.position);
+        self.list(number, data.position);
         m_barrier->wait();
     }
-    self.findPairs(member, data.position);
+    self.findPairs(number, data.position);
+    self.foretell(number, data.position, data.last);
     m_barrier->wait();
     if (!self.anyPairs())
         return;
-    self.addUp(member, data.position);
+    self.addUp(number, data.position);
     m_barrier->wait();
-    self.apply(member, data.position, 1.0 / m_scene.simulation.stepsPerFrame);
-}
-
-void VerletSolver::limitStrain(int number, int step, const StepData& data) {
-    m_strainPipeline.advance(number, step, data, *m_kernels, m_members[std::size_t(number)].strain);
+    self.apply(number, data.position, 1.0 / m_scene.simulation.stepsPerFrame);
 }
 
 bool VerletSolver::anyRunaway() const {
@@ -137,56 +148,16 @@ bool VerletSolver::anyRunaway() const {
 }
 
 bool VerletSolver::anyRunawayAtEnd() const {
-    return std::ranges::any_of(m_members, [](const Member& member) { return member.strain.runaway >= 0; });
-}
-
-void VerletSolver::moveRows(int number, StepData& data) {
-    Member& member = m_members[std::size_t(number)];
-    member.runaway = m_kernels->verletRows(data, member.rows, member.forces, false);
-    std::swap(data.position, data.last);
-}
-
-// One step of a member. False: a point ran away.
-bool VerletSolver::takeStep(int number, int step, StepData& data) {
-    Member& member = m_members[std::size_t(number)];
-    moveRows(number, data);
-    m_barrier->wait();
-    // Before anything looks for neighbours: what is not a number has no cell, and would spread.
-    if (anyRunaway())
-        return false;
-    collideWithItself(number, data);
-    m_colliders.collide(*m_kernels, data, member.rows);
-    m_barrier->wait();
-    member.strain = {};
-    limitStrain(number, step, data);
-    member.strainLimitCorrections += member.strain.corrections;
-    if (number == 0)
-        m_stopping = m_stop->load(std::memory_order_relaxed);
-    m_barrier->wait();
-    return !anyRunawayAtEnd();
-}
-
-void VerletSolver::work(int number) {
-    StepData data = m_data;
-    int done = 0;
-    while (done < m_steps && takeStep(number, done, data)) {
-        ++done;
-        if (m_stopping)
-            break;
-    }
-    if (number == 0) {
-        m_stepsDone = done;
-        m_data = data;
-    }
+    return std::ranges::any_of(m_members, [](const Member& member) { return member.runawayAtEnd >= 0; });
 }
 
 void VerletSolver::begin(const ClothState& state) {
     copyToRows(state.position, m_data.layout, m_data.position);
     copyToRows(state.lastPosition, m_data.layout, m_data.last);
-    m_strainPipeline.restart();
+    for (int number = 0; collidesWithItself() && number < threads(); ++number)
+        m_selfCollision.foretell(number, m_data.position, m_data.last);
     for (Member& member : m_members) {
-        member.runaway = -1;
-        member.strain = {};
+        member.runaway = member.runawayAtEnd = -1;
         member.strainLimitCorrections = 0;
         member.rowsLimited.store(0, std::memory_order_relaxed);
     }
@@ -247,10 +218,7 @@ StepResult VerletSolver::watchedStep(ClothState& state, const PhaseObserver& obs
 
     observer(Phase::Forces, now);
     first = firstWithoutForce(state.position);
-    m_team->run([&](int m) {
-        Member& member = m_members[std::size_t(m)];
-        member.runaway = m_kernels->verletRows(m_data, member.rows, member.forces, false);
-    });
+    m_team->run([&](int m) { moveRows(m, m_members[std::size_t(m)].rows, m_data); });
     std::swap(m_data.position, m_data.last);
     store(now);
     watch(Phase::Verlet);
@@ -262,12 +230,13 @@ StepResult VerletSolver::watchedStep(ClothState& state, const PhaseObserver& obs
     });
     share(Phase::Colliders,
           [&](int m) { m_colliders.collide(*m_kernels, m_data, m_members[std::size_t(m)].rows); });
-    share(Phase::StrainLimit, [&](int m) { limitStrain(m, 0, m_data); });
-
     StepResult result;
-    for (const Member& member : m_members)
-        result.strainLimitCorrections += member.strain.corrections;
-    if (anyRunawayAtEnd())
+    for (int row = 0; row < m_strainPipeline.rows(); ++row)
+        result.strainLimitCorrections += m_strainPipeline.limitAt(row, m_data, *m_kernels);
+    store(now);
+    watch(Phase::StrainLimit);
+
+    if (m_kernels->firstRunaway(m_data, {0, m_data.layout.height}) >= 0)
         result.blowUp = first;
     else
         state = std::move(now);

@@ -82,20 +82,33 @@ public:
 private:
     // What one thread works with; apart, so that no two write to the same cache line.
     struct alignas(64) Member {
-        Member(RowRange rowRange, const RowLayout& layout) : rows(rowRange), forces(layout) {}
+        Member(RowRange rowRange, const RowLayout& layout)
+            : rows(rowRange), forces(layout), glance(rowRange) {}
         RowRange rows;
         ForceRows forces;
-        int runaway = -1;              // slot, after Verlet
-        StrainPipeline::Result strain; // of the step at hand
+        StrainPipeline::Glance glance;
+        alignas(64) int runaway = -1; // slot, after Verlet; apart from what others read all the time
+        int runawayAtEnd = -1;        // after the strain limit
+        int corrections = 0;          // of the step at hand
         std::int64_t strainLimitCorrections = 0;
-        alignas(64) std::atomic<std::int64_t> rowsLimited{0}; // of all steps of a wave; see stepInWave()
+        alignas(64) std::atomic<std::int64_t> rowsLimited{0}; // of the strain limit's passes, over all steps
     };
+    static constexpr int kRowsAtATime = 16; // while they are in the cache
+    // Verlet of a row reads so many rows after it; it looks at the springs of the next one, too.
+    static constexpr int kReach = 3;
     void makeMembers(int count);
     void setPinnedSlots();
     void begin(const ClothState& state);
     void store(ClothState& state) const;
 
-    void work(int number); // a member's share of the run at hand
+    int owner(int passRow) const; // who does that row of the strain limit
+    void moveRows(int number, RowRange rows, const StepData& data);
+    void collideWithItself(int number, const StepData& data);
+    bool anyRunaway() const;      // after Verlet
+    bool anyRunawayAtEnd() const; // after the strain limit
+    bool collidesWithItself() const { return m_scene.cloth.thickness > 0; }
+
+    // A member's share of the run at hand: verlet_wave.cpp.
     void workInWave(int number);
     bool stepInWave(int number, int step, StepData& data);
     bool moveInWave(int number, int step, StepData& data);
@@ -103,13 +116,13 @@ private:
     bool waitInWave(int number, int step, std::int64_t rowsLimited) const;
     void endWaveBefore(int step);
     void endWave();
-    void collideWithItself(int member, const StepData& data);
-    void limitStrain(int number, int step, const StepData& data);
-    void moveRows(int number, StepData& data);
-    bool takeStep(int number, int step, StepData& data);
-    bool anyRunaway() const;      // after Verlet
-    bool anyRunawayAtEnd() const; // after the strain limit
-    bool collidesWithItself() const { return m_scene.cloth.thickness > 0; }
+
+    // And verlet_rounds.cpp.
+    void workInRounds(int number);
+    void finishStep(int number, int step, bool isLast, StepData& data);
+    void limitRows(int number, int step, RowRange passRows, const StepData& data);
+    void finishRows(int number, RowRange rows, bool isLast, const StepData& data);
+    void waitInRound(int step, int passRow) const;
 
     StepResult watchedStep(ClothState& state, const PhaseObserver& observer);
     BlowUp findBlowUp(ClothState state, int steps);
@@ -134,7 +147,6 @@ private:
     int m_steps = 0;
     std::atomic<int> m_waveEnd = 0; // the steps before it are done by all
     int m_stepsDone = 0;
-    bool m_stopping = false;
     const std::atomic<bool>* m_stop = nullptr;
     std::unique_ptr<Barrier> m_barrier;
     std::function<void(int)> m_job;

@@ -11,12 +11,6 @@
 #include <utility>
 
 namespace clothlab {
-namespace {
-
-constexpr int kRowsAtATime = 16; // while they are in the cache
-constexpr int kReach = 2;        // of a spring, in rows
-
-} // namespace
 
 // All steps before this one are still to be done, so that the first of all to find something decides.
 void VerletSolver::endWaveBefore(int step) {
@@ -43,15 +37,11 @@ bool VerletSolver::moveInWave(int number, int step, StepData& data) {
     const int height = data.layout.height;
     for (int y = member.rows.begin; y < member.rows.end; y += kRowsAtATime) {
         const RowRange rows{y, std::min(y + kRowsAtATime, member.rows.end)};
-        // Verlet looks at the springs that end in the row after the last, too.
-        const int last = std::min(rows.end + kReach, height - 1) + m_strainPipeline.rowsBehind();
-        int owner = number;
-        while (owner + 1 < threads() && m_members[std::size_t(owner)].rows.end <= last)
-            ++owner;
+        const int last = std::min(rows.end - 1 + kReach, height - 1) + m_strainPipeline.rowsBehind();
         const std::int64_t passed = std::int64_t(step - 1) * m_strainPipeline.rows();
-        if (step > 0 && owner != number && !waitInWave(owner, step, passed + last + 1))
+        if (step > 0 && owner(last) != number && !waitInWave(owner(last), step, passed + last + 1))
             return false;
-        member.runaway = m_kernels->verletRows(data, rows, member.forces, y > member.rows.begin);
+        moveRows(number, rows, data);
         if (member.runaway >= 0) {
             endWaveBefore(step);
             return false;
@@ -68,10 +58,13 @@ bool VerletSolver::moveInWave(int number, int step, StepData& data) {
 bool VerletSolver::limitInWave(int number, int step, RowRange rows, const StepData& data) {
     Member& member = m_members[std::size_t(number)];
     const int end = rows.end == data.layout.height ? m_strainPipeline.rows() : rows.end;
+    const int behind = m_strainPipeline.rowsBehind();
     const std::int64_t passed = std::int64_t(step) * m_strainPipeline.rows();
     for (int row = rows.begin; row < end; ++row) {
-        m_strainPipeline.limitAt(row, data, *m_kernels, member.strain);
-        if (member.strain.runaway >= 0) {
+        member.corrections += m_strainPipeline.limitAt(row, data, *m_kernels);
+        if (row >= behind)
+            member.runawayAtEnd = m_kernels->firstRunaway(data, {row - behind, row - behind + 1});
+        if (member.runawayAtEnd >= 0) {
             endWaveBefore(step);
             return false;
         }
@@ -84,7 +77,7 @@ bool VerletSolver::limitInWave(int number, int step, RowRange rows, const StepDa
 
 bool VerletSolver::stepInWave(int number, int step, StepData& data) {
     Member& member = m_members[std::size_t(number)];
-    member.strain = {};
+    member.corrections = 0;
     if (!moveInWave(number, step, data))
         return false;
     if (number > 0) {
@@ -93,7 +86,7 @@ bool VerletSolver::stepInWave(int number, int step, StepData& data) {
             !limitInWave(number, step, member.rows, data))
             return false;
     }
-    member.strainLimitCorrections += member.strain.corrections;
+    member.strainLimitCorrections += member.corrections;
     return true;
 }
 

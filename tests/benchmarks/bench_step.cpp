@@ -12,6 +12,7 @@
 
 #include <cstdio>
 #include <map>
+#include <thread>
 
 using namespace clothlab;
 
@@ -192,6 +193,28 @@ void registerSteps() {
             registerCase({"pinned2", size, selfCollision, size > 200 ? 1 : 5}, size <= 200);
 }
 
+// A word to another core and back: what two threads can gain depends on it. Virtual machines may move their
+// cores between places that are near each other and far.
+void runRoundTrip(benchmark::State& state) {
+    alignas(64) std::atomic<std::int64_t> sent = 0;
+    alignas(64) std::atomic<std::int64_t> returned = 0;
+    std::thread other([&] {
+        for (std::int64_t n = 1; n > 0; ++n) {
+            waitUntil(sent, [&](std::int64_t value) { return value < 0 || value == n; });
+            if (sent.load(std::memory_order_relaxed) < 0)
+                return;
+            returned.store(n, std::memory_order_release);
+        }
+    });
+    std::int64_t n = 0;
+    for ([[maybe_unused]] const auto _ : state) {
+        sent.store(++n, std::memory_order_release);
+        waitUntil(returned, [&](std::int64_t value) { return value == n; });
+    }
+    sent.store(-1, std::memory_order_release);
+    other.join();
+}
+
 // Prints as usual, and keeps the rates.
 class RatioReporter : public benchmark::ConsoleReporter {
 public:
@@ -237,6 +260,7 @@ int main(int argc, char** argv) {
     benchmark::Initialize(&argc, argv);
     registerPhases();
     registerSteps();
+    benchmark::RegisterBenchmark("to the other core and back", runRoundTrip)->UseRealTime();
     RatioReporter reporter;
     benchmark::RunSpecifiedBenchmarks(&reporter);
     reporter.printRatios();

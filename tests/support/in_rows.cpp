@@ -38,12 +38,12 @@ void CloudCollision::lay(int count) {
         return;
     m_rows = RowLayout(Grid{width, count / width});
     m_arrays = RowArrays(m_rows, 6);
-    m_bands = std::min(m_layout.bands, m_rows.height);
-    std::vector<RowRange> bands;
-    for (int n = 0; n < m_bands; ++n)
-        bands.push_back({m_rows.height * n / m_bands, m_rows.height * (n + 1) / m_bands});
+    const int bands = std::min(m_layout.bands, m_rows.height);
+    m_bands.clear();
+    for (int n = 0; n < bands; ++n)
+        m_bands.push_back({m_rows.height * n / bands, m_rows.height * (n + 1) / bands});
     m_collision = std::make_unique<SelfCollision>(kernelsFor(m_layout.instructionSet));
-    m_collision->setSheet(m_rows, bands);
+    m_collision->setSheet(m_rows, m_bands);
 }
 
 int CloudCollision::corrections(const PointArray& position, const std::vector<std::uint8_t>& pinned,
@@ -60,10 +60,16 @@ int CloudCollision::corrections(const PointArray& position, const std::vector<st
     copyToRows(PointArray(position.size()), m_rows, moved);
 
     const auto eachBand = [&](const auto& work) {
-        for (int band = 0; band < m_bands; ++band)
+        for (int band = 0; band < int(m_bands.size()); ++band)
             work(band);
     };
-    eachBand([&](int band) { m_collision->measure(band, points); });
+    eachBand([&](int band) { m_collision->foretell(band, points, points); });
+    eachBand([&](int band) { // in two parts
+        const RowRange rows = m_bands[std::size_t(band)];
+        const int middle = (rows.begin + rows.end + 1) / 2;
+        m_collision->measure(band, points, {rows.begin, middle});
+        m_collision->measure(band, points, {middle, rows.end});
+    });
     bool hold = true;
     eachBand([&](int band) { hold = m_collision->listsHold(band) && hold; });
     if (!hold) {

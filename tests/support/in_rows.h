@@ -32,7 +32,7 @@ private:
 
     CloudLayout m_layout;
     RowLayout m_rows;
-    int m_bands = 0;
+    std::vector<RowRange> m_bands;
     RowArrays m_arrays;
     std::unique_ptr<SelfCollision> m_collision;
 };
