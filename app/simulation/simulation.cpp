@@ -51,7 +51,17 @@ void Simulation::setRecordingError(double error) {
     m_recorder.setError(error);
 }
 
+bool Simulation::isWorthSaving() const {
+    return m_hasUnsavedNames || m_unsavedSeconds >= m_secondsWorthSaving;
+}
+
+void Simulation::setSaved() {
+    m_hasUnsavedNames = false;
+    m_unsavedSeconds = 0;
+}
+
 void Simulation::beginSession(std::shared_ptr<const TakeFileContents> contents) {
+    setSaved();
     m_recorder.begin(++m_session, m_newJournal ? m_newJournal().toStdString() : std::string(), m_error,
                      std::move(contents));
 }
@@ -327,6 +337,7 @@ void Simulation::record(FramePointer frame) {
                 .arg(QString::fromStdString(before->name())));
         emit takesChanged();
     }
+    m_unsavedSeconds += frame->milliseconds / 1000;
     m_recorder.add(take->id(), take->sharedSheet(), take->lastFrame(), std::move(frame));
     m_document.setRecordingModified();
     emit recordingChanged();

@@ -45,6 +45,12 @@ public:
     // Calls it with what a file would hold, once all of that is packed.
     void gatherContents(std::function<void(TakeFileContents)> use);
 
+    // Whether there is more in the recording than running the scene again would bring back in a moment, and
+    // no file has it: frames that took long to compute, names of takes, marks.
+    bool isWorthSaving() const;
+    void setSaved();                                                               // a file has it now
+    void setSecondsWorthSaving(double seconds) { m_secondsWorthSaving = seconds; } // 10 unless set
+
     // Calls it once all that is recorded until now is packed and, if there is a journal, written there.
     void whenPacked(std::function<void()> then);
     bool hasJournal() const { return m_recorder.hasJournal(); }
@@ -153,6 +159,9 @@ private:
     Recording::View* m_opening = nullptr; // while the scene is exchanged for that of another take
     bool m_playing = false;
     QString m_blowUp;
+    bool m_hasUnsavedNames = false; // or marks
+    double m_unsavedSeconds = 0;    // that frames took to compute
+    double m_secondsWorthSaving = 10;
     std::thread::id m_lastComputedOn;
 
     std::optional<Pending> m_pending;

@@ -100,6 +100,7 @@ void Simulation::exchangeView(Recording::View& other) {
 void Simulation::exchangeName(const TakePointer& take, std::string& other) {
     std::string now = take->name();
     take->setName(std::exchange(other, std::move(now)));
+    m_hasUnsavedNames = true;
     tellTake(*take);
     emit takesChanged();
 }
@@ -107,6 +108,7 @@ void Simulation::exchangeName(const TakePointer& take, std::string& other) {
 void Simulation::exchangeMarks(const TakePointer& take, TakeMarks& other) {
     TakeMarks now = take->marks();
     take->setMarks(std::exchange(other, std::move(now)));
+    m_hasUnsavedNames = true;
     tellMeta();
     emit marksChanged();
     if (m_playing && take == m_recording.take())

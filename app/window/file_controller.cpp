@@ -11,6 +11,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QPushButton>
 
 #include <algorithm>
 #include <future>
@@ -57,15 +58,33 @@ bool FileController::mayDiscard() {
     }
     // What is typed and not yet taken belongs to the scene, too.
     commitFocusedField();
-    if (!m_document.isModified())
+    const bool changes = m_document.isModified();
+    const bool recording = isRecordingUnsaved();
+    if (!changes && !recording)
         return true;
-    QMessageBox box(QMessageBox::Question, tr("Unsaved changes"),
-                    tr("Save the changes to %1?").arg(m_document.displayName()),
+    const QString question = changes ? tr("Save the changes to %1?") : tr("Save the recording of %1?");
+    QMessageBox box(QMessageBox::Question, changes ? tr("Unsaved changes") : tr("Unsaved recording"),
+                    question.arg(m_document.displayName()),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &m_window);
-    box.setInformativeText(tr("They are lost otherwise."));
+    box.setInformativeText(recording ? tr("What was recorded is in no file. It is lost otherwise.")
+                                     : tr("They are lost otherwise."));
     box.setDefaultButton(QMessageBox::Save);
+    const QAbstractButton* sceneOnly = nullptr;
+    if (recording) {
+        box.button(QMessageBox::Save)->setText(tr("Save with &Recording…"));
+        if (changes)
+            sceneOnly = box.addButton(tr("Save &Scene Only"), QMessageBox::AcceptRole);
+    }
     const int answer = box.exec();
-    return answer == QMessageBox::Discard || (answer == QMessageBox::Save && save());
+    if (sceneOnly != nullptr && box.clickedButton() == sceneOnly)
+        return save();
+    if (answer == QMessageBox::Save)
+        return recording ? saveRecordingAs() : save();
+    return answer == QMessageBox::Discard;
+}
+
+bool FileController::isRecordingUnsaved() const {
+    return !m_document.isRecording() && !m_document.isRecovered() && m_simulation.isWorthSaving();
 }
 
 bool FileController::newScene() {
@@ -233,6 +252,7 @@ bool FileController::saveRecording(const QString& path) {
         return false;
     }
     m_document.setSaved(path, saving->revision);
+    m_simulation.setSaved();
     remember(m_document.path());
     emit notice(tr("Saved %1").arg(m_document.displayName()));
     return true;

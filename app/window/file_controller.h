@@ -27,7 +27,8 @@ public:
     bool saveRecordingAs(); // both
     bool saveTo(const QString& path);
     bool isSaving() const { return m_saving; } // a recording, while the window goes on
-    bool mayDiscard(); // asks if there are unsaved changes; saves them if the user says so
+    // Asks if something is in no file, changes or a recording that is worth it; saves it if the user says so.
+    bool mayDiscard();
 
     QMenu* recentMenu() { return &m_recentMenu; }
     QStringList recentFiles() const;
@@ -41,6 +42,7 @@ private:
     bool openRecording(const QString& path);
     bool loadRecording(TakeFileReading reading, const QString& from, const QString& path, QString& warnings);
     bool saveRecording(const QString& path);
+    bool isRecordingUnsaved() const; // of a scene that is kept without it
     bool chooseAndSave(const QString& title, const QString& filters, const QString& ending);
     QString folder() const; // where file choosers begin
     void remember(const QString& path);

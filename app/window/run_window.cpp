@@ -102,10 +102,10 @@ private:
 int runWindow(const WindowOptions& options) {
     const bool pictureOnly = !options.screenshot.isEmpty();
     // A picture shows the layout as it comes, and leaves the user's own alone.
-    const QTemporaryDir temporary;
+    const auto temporary = pictureOnly ? std::make_unique<QTemporaryDir>() : nullptr;
     auto settings =
         pictureOnly
-            ? std::make_unique<QSettings>(temporary.filePath("settings.ini"), QSettings::IniFormat)
+            ? std::make_unique<QSettings>(temporary->filePath("settings.ini"), QSettings::IniFormat)
             : std::make_unique<QSettings>(QSettings::IniFormat, QSettings::UserScope, "ClothLab", "ClothLab");
     const QString recovery =
         pictureOnly

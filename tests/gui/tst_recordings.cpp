@@ -23,6 +23,8 @@ private slots:
     void aRecordingThatIsCutOffOpensWithWords();
     void whatIsNoRecordingLeavesAllAsItIs();
     void aRecordingIsAskedForBeforeItIsLost();
+    void whatTookLongIsAskedForWithASceneAlone();
+    void aMarkerIsAskedForWithASceneAlone();
     void howExactlyFramesAreKeptIsChosenAndStays();
 
 private:
@@ -212,6 +214,53 @@ void TestRecordings::aRecordingIsAskedForBeforeItIsLost() {
     DialogAnswer cancel(QMessageBox::Cancel);
     QVERIFY(!(*m_window)->files().newScene());
     QVERIFY(cancel.text().contains("run.clothtake"));
+}
+
+void TestRecordings::whatTookLongIsAskedForWithASceneAlone() {
+    Simulation& simulation = m_window->simulation();
+    QVERIFY(m_window->simulateTo(3));
+    QVERIFY(!simulation.isWorthSaving()); // it can be had again in a moment
+    simulation.setSecondsWorthSaving(1e-9);
+    DialogAnswer cancel(QMessageBox::Cancel);
+    QVERIFY(!(*m_window)->close());
+    QVERIFY2(cancel.text().contains("recording of scene.json"), qPrintable(cancel.text()));
+    QCOMPARE(recording().frameCount(), 4);
+
+    QVERIFY((*m_window)->files().saveTo(m_window->path("run.clothtake")));
+    QVERIFY((*m_window)->files().saveTo(m_window->path("scene.json")));
+    QVERIFY(!simulation.isWorthSaving()); // run.clothtake has it
+    QVERIFY(m_window->simulateTo(5));
+    DialogAnswer discard(QMessageBox::Discard);
+    QVERIFY((*m_window)->files().newScene());
+    QVERIFY(discard.asked());
+    DialogAnswer nothing(QMessageBox::Cancel);
+    QVERIFY((*m_window)->files().newScene());
+    QVERIFY(!nothing.asked());
+}
+
+void TestRecordings::aMarkerIsAskedForWithASceneAlone() {
+    QVERIFY(m_window->simulateTo(3));
+    m_window->simulation().setMarker(2, "here");
+    QStringList offered;
+    const auto answer = [&](const char* text) {
+        return [&offered, text](QDialog& dialog) {
+            offered.clear();
+            for (QAbstractButton* button : qobject_cast<QMessageBox*>(&dialog)->buttons()) {
+                offered << button->text().remove('&');
+                if (offered.constLast() == text)
+                    QTest::mouseClick(button, Qt::LeftButton);
+            }
+        };
+    };
+    DialogAnswer cancel(answer("Cancel"));
+    QVERIFY(!(*m_window)->files().newScene());
+    QVERIFY2(offered.contains("Save with Recording…"), qPrintable(offered.join(", ")));
+    QCOMPARE(m_window->simulation().marks().markers.size(), std::size_t(1));
+
+    DialogAnswer sceneOnly(answer("Save Scene Only"));
+    QVERIFY((*m_window)->files().newScene());
+    QVERIFY(sceneOnly.asked());
+    QCOMPARE(m_window->document().path(), QString());
 }
 
 void TestRecordings::howExactlyFramesAreKeptIsChosenAndStays() {

@@ -35,6 +35,7 @@ private slots:
     void everyStepEqualsAllPairs_data();
     void everyStepEqualsAllPairs();
     void anotherDistanceOrSheetIsNoticed();
+    void listsLastAsLongAsTheyMay();
 
 private:
     // The same for all motions, as a solver keeps it.
@@ -95,6 +96,37 @@ void TestMovingCloud::anotherDistanceOrSheetIsNoticed() {
                 points.set(i, Vec3(random.real(0, 0.1), random.real(0, 0.1), random.real(0, 0.1)));
             compare(points, std::vector<std::uint8_t>(std::size_t(count)), distance, count);
         }
+}
+
+// To list anew what has not moved, or has as a whole, would change no bit, but take long.
+void TestMovingCloud::listsLastAsLongAsTheyMay() {
+    for (const double together : {0.0, 0.3 * kDistance, 100 * kDistance}) {
+        CloudCollision collision({bestInstructionSet(), 10, 3});
+        SplitMix64 random(3);
+        PointArray points{std::size_t(kPoints)}, found{std::size_t(kPoints)};
+        for (int i = 0; i < kPoints; ++i)
+            points.set(i, Vec3(random.real(0, 0.1), random.real(0, 0.1), random.real(0, 0.1)));
+        const std::vector<std::uint8_t> pinned(std::size_t{kPoints});
+        const auto step = [&](const Vec3& by, int movedPoints) {
+            collision.corrections(points, pinned, kDistance, 0.25, found);
+            for (int i = 0; i < movedPoints; ++i)
+                points.set(i, points.at(i) + by);
+        };
+        for (int n = 0; n < 20; ++n)
+            step(Vec3(0, -together, 0), kPoints);
+        QCOMPARE(collision.listings(), 1);
+        // There and back again.
+        for (const double there : {0.1, -0.1, 0.1, -0.1, 0.1, -0.1})
+            step(Vec3(there * kDistance, 0, 0), 1);
+        QCOMPARE(collision.listings(), 1);
+        for (int n = 0; n < 20; ++n)
+            step(Vec3(0.1 * kDistance, 0, 0), 1);
+        const int moved = collision.listings();
+        QVERIFY(moved > 1);
+        for (int n = 0; n < 10; ++n)
+            step(Vec3::Zero(), 0);
+        QVERIFY(collision.listings() <= moved + 1);
+    }
 }
 
 QTEST_APPLESS_MAIN(TestMovingCloud)

@@ -73,6 +73,7 @@ int CloudCollision::corrections(const PointArray& position, const std::vector<st
     bool hold = true;
     eachBand([&](int band) { hold = m_collision->listsHold(band) && hold; });
     if (!hold) {
+        ++m_listings;
         m_collision->sortIntoCells(points);
         eachBand([&](int band) { m_collision->list(band, points); });
     }

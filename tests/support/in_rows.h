@@ -26,6 +26,7 @@ public:
     // Returns how many points are moved.
     int corrections(const PointArray& position, const std::vector<std::uint8_t>& pinned, double distance,
                     double share, PointArray& correction);
+    int listings() const { return m_listings; } // how often lists were made
 
 private:
     void lay(int count);
@@ -33,6 +34,7 @@ private:
     CloudLayout m_layout;
     RowLayout m_rows;
     std::vector<RowRange> m_bands;
+    int m_listings = 0;
     RowArrays m_arrays;
     std::unique_ptr<SelfCollision> m_collision;
 };
