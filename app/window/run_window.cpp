@@ -8,7 +8,9 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QDir>
+#include <QScreen>
 #include <QStandardPaths>
+#include <QStyle>
 #include <QTemporaryDir>
 #include <QTimer>
 
@@ -97,6 +99,12 @@ private:
     const WindowOptions& m_options;
 };
 
+// With the frame that the system puts around it.
+void fitToScreen(QWidget& window) {
+    const int title = window.style()->pixelMetric(QStyle::PM_TitleBarHeight);
+    window.resize(window.size().boundedTo(window.screen()->availableSize() - QSize(title / 2, 2 * title)));
+}
+
 } // namespace
 
 int runWindow(const WindowOptions& options) {
@@ -114,6 +122,8 @@ int runWindow(const WindowOptions& options) {
     MainWindow window(std::move(settings), options.shaderDirectory, recovery);
     if (!options.theme.isEmpty())
         window.setTheme(options.theme == "light" ? Theme::Light : Theme::Dark);
+    if (!pictureOnly)
+        fitToScreen(window);
     window.show();
     if (options.size)
         window.resize(*options.size);
