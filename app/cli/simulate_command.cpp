@@ -4,7 +4,7 @@
 #include "app/cli/run_control.h"
 #include "app/cli/run_report.h"
 #include "app/cli/simulate_outputs.h"
-#include "simcore/base/file.h"
+#include "simcore/base/whole_file.h"
 #include "simcore/inspect/blow_up_text.h"
 #include "simcore/inspect/stability.h"
 #include "simcore/scene/parameters.h"

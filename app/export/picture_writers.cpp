@@ -1,7 +1,7 @@
 #include "app/export/picture_writers.h"
 
 #include "app/export/video_encoder.h"
-#include "simcore/base/file.h"
+#include "simcore/base/whole_file.h"
 
 #include <QBuffer>
 

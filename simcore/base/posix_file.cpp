@@ -4,6 +4,14 @@
 
 namespace clothlab {
 
+bool isUsableName(const std::string& path) {
+    return !path.empty() && path.find('\0') == std::string::npos;
+}
+
+Words describeUnusableName() {
+    return {"is not a name of a file", "give a name that is not empty and holds no zero byte"};
+}
+
 Words describe(int error) {
     switch (error) {
     case ENOENT:

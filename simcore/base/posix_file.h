@@ -1,4 +1,4 @@
-// What all code shares that calls the operating system for files (POSIX): here, file.cpp and shared_file.cpp.
+// What all code shares that calls the operating system for files (POSIX): in this folder.
 #pragma once
 
 #include <cerrno>
@@ -41,6 +41,8 @@ struct Words {
     std::string remedy;
 };
 
+bool isUsableName(const std::string& path); // the system would take others for their first part
+Words describeUnusableName();
 Words describe(int error); // of errno
 std::string sentence(const Words& words);
 Words describeKind(mode_t mode); // of what is no regular file

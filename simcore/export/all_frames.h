@@ -1,7 +1,7 @@
 // Writers of the formats whose files hold all frames, for makeFrameWriter().
 #pragma once
 
-#include "simcore/base/file.h"
+#include "simcore/base/whole_file.h"
 #include "simcore/export/frame_writer.h"
 
 namespace clothlab {

@@ -1,6 +1,6 @@
 #include "simcore/export/export.h"
 
-#include "simcore/base/file.h"
+#include "simcore/base/whole_file.h"
 #include "simcore/export/number.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "simcore/base/file.h"
+#include "simcore/base/whole_file.h"
 #include "simcore/export/frame_writer.h"
 #include "simcore/export/number.h"
 #include "simcore/inspect/inspect.h"

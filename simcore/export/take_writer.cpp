@@ -1,6 +1,6 @@
 #include "simcore/export/take_writer.h"
 
-#include "simcore/base/file.h"
+#include "simcore/base/whole_file.h"
 #include "simcore/inspect/frame_measure.h"
 #include "simcore/recording/take_chunks.h"
 

@@ -1,6 +1,6 @@
 #include "simcore/recording/take_file.h"
 
-#include "simcore/base/file.h"
+#include "simcore/base/whole_file.h"
 #include "simcore/recording/take_assembly.h"
 
 #include <algorithm>

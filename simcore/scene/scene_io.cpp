@@ -1,6 +1,7 @@
 #include "simcore/scene/scene_io.h"
 
-#include "simcore/base/file.h"
+#include "simcore/base/read_file.h"
+#include "simcore/base/whole_file.h"
 
 #include <algorithm>
 #include <exception>

@@ -1,5 +1,4 @@
 // What a recording costs: seeking in a file, and packing and measuring beside simulating.
-#include "simcore/base/file.h"
 #include "simcore/inspect/frame_measure.h"
 #include "simcore/recording/take_file.h"
 #include "simcore/solver/frame_runner.h"

@@ -1,6 +1,5 @@
 // Recordings cut off anywhere, and with any byte changed: never a crash, and never silently wrong. What is
 // read is what was written, or something is said.
-#include "simcore/base/file.h"
 #include "tests/support/random.h"
 #include "tests/support/recorded_run.h"
 #include "tests/support/scene_text.h"

@@ -162,7 +162,7 @@ void TestIncludes::badIncludesAreFound_data() {
     row("simcore/scene/scene.h", "#include <QString>");
     row("simcore/solver/verlet_solver.cpp", "#include <QtCore/QString>");
     row("simcore/solver/verlet_solver.cpp", "#include \"app/document/document.h\"");
-    row("simcore/base/file.h", "#include \"simcore/scene/scene.h\"");
+    row("simcore/base/whole_file.h", "#include \"simcore/scene/scene.h\"");
     row("simcore/cloth/grid.h", "#include \"simcore/solver/verlet_solver.h\"");
     row("simcore/cloth/grid.h", "#include <nlohmann/json.hpp>");
     row("simcore/cloth/cloth_state.cpp", "#include <xxhash.h>");
@@ -199,7 +199,7 @@ void TestIncludes::badIncludesAreFound() {
 void TestIncludes::goodIncludesPass_data() {
     QTest::addColumn<QString>("file");
     QTest::addColumn<QString>("text");
-    QTest::newRow("standard") << "simcore/base/file.h"
+    QTest::newRow("standard") << "simcore/base/whole_file.h"
                               << "#include <string>\n#include <string_view>\n";
     QTest::newRow("same room") << "app/docks/a.cpp"
                                << "#include \"app/docks/b.h\"\n";

@@ -1,4 +1,5 @@
-#include "simcore/base/file.h"
+#include "simcore/base/read_file.h"
+#include "simcore/base/whole_file.h"
 
 #include <QTemporaryDir>
 #include <QTest>

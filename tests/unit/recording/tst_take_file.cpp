@@ -1,5 +1,5 @@
 // Recordings as files: what is written is read, also what was appended, cut off or replaced.
-#include "simcore/base/file.h"
+#include "simcore/base/whole_file.h"
 #include "simcore/solver/frame_runner.h"
 #include "tests/support/recorded_run.h"
 #include "tests/support/scene_text.h"

@@ -1,7 +1,5 @@
-// Reading and writing whole files. A file is written whole or not at all.
+// Writing files whole or not at all.
 #pragma once
-
-#include "simcore/base/diagnostic.h"
 
 #include <cstdint>
 #include <functional>
@@ -12,13 +10,6 @@
 #include <string_view>
 
 namespace clothlab {
-
-// The bytes of a regular file of at most maxBytes; otherwise a diagnostic that says why not.
-struct FileText {
-    std::optional<std::string> text;
-    Diagnostics diagnostics;
-};
-FileText readFile(const std::string& path, std::uint64_t maxBytes);
 
 // Calls write with a stream to a new file beside path and then renames it over path, so that a reader or
 // a crash sees the old file or the new one. Follows a symbolic link; keeps the permissions of an existing
