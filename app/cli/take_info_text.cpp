@@ -61,8 +61,8 @@ std::string changesText(const TakeFileContents& contents, const RecordedTake& ta
             const Scene* scene = contents.scenes.at(group.frames[i].scene).get();
             std::string changes;
             if (before != nullptr && before != scene)
-                for (const std::string& change : motionDifferences(*before, *scene))
-                    changes += (changes.empty() ? "" : ", ") + change;
+                for (const SceneDifference& change : motionDifferences(*before, *scene))
+                    changes += (changes.empty() ? "" : ", ") + toText(change);
             if (!changes.empty())
                 text += indent + format("frame %d: ", group.first + int(i)) + changes + "\n";
             before = scene;

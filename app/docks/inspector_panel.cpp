@@ -5,6 +5,7 @@
 
 #include <QFormLayout>
 #include <QHeaderView>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -40,7 +41,12 @@ InspectorPanel::InspectorPanel(Document& document, Simulation& simulation, QWidg
     empty->setForegroundRole(QPalette::PlaceholderText);
     m_pages->addWidget(empty);
 
+    // Scrolls where there is no room: what is shown must not make the window larger.
+    auto* area = new QScrollArea;
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidgetResizable(true);
     auto* page = new QWidget;
+    area->setWidget(page);
     auto* pageLayout = new QVBoxLayout(page);
     pageLayout->setContentsMargins(10, 8, 10, 8);
     QFont bold = m_title->font();
@@ -61,8 +67,10 @@ InspectorPanel::InspectorPanel(Document& document, Simulation& simulation, QWidg
     m_table->setShowGrid(false);
     m_table->setToolTip(tr("Double-click a row to select it."));
     connect(m_table, &QTableWidget::cellDoubleClicked, this, &InspectorPanel::selectRow);
-    pageLayout->addWidget(m_table, 1);
-    m_pages->addWidget(page);
+    m_table->setMinimumHeight(4 * (fontMetrics().height() + 4)); // header and three rows
+    pageLayout->addWidget(m_table, 1000);
+    pageLayout->addStretch(1); // where there is no table
+    m_pages->addWidget(area);
 
     connect(&document, &Document::selectionChanged, this, &InspectorPanel::refresh);
     connect(&document, &Document::sceneChanged, this, &InspectorPanel::refresh);
@@ -153,6 +161,7 @@ void InspectorPanel::showLines(const Lines& lines) {
         auto* value = new QLabel;
         name->setForegroundRole(QPalette::PlaceholderText);
         value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        value->setWordWrap(true); // so that no long number makes the panel wider
         m_form->addRow(name, value);
         m_rows.emplace_back(name, value);
     }

@@ -146,11 +146,11 @@ void Scrubber::findSpilled() {
     if (m_sinceSpilled.isValid() && m_sinceSpilled.elapsed() < milliseconds)
         return;
     m_sinceSpilled.start();
-    const int last = m_simulation.recording().lastFrame();
+    const double end = positionOf(m_simulation.recording().lastFrame()) - bar().left();
     m_spilled.assign(std::size_t(std::max(0.0, bar().width())), false);
     for (std::size_t column = 0; column < m_spilled.size(); ++column) {
         const auto frame = int(double(column) / double(m_spilled.size()) * m_span);
-        m_spilled[column] = frame <= last && partOf(frame) == Part::Spilled;
+        m_spilled[column] = double(column) < end && partOf(frame) == Part::Spilled;
     }
 }
 

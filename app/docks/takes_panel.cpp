@@ -17,10 +17,26 @@ namespace {
 
 enum Column { Name, Frames, Differs };
 
+// As panels name it, in their units.
+QString textOf(const SceneDifference& difference) {
+    const Parameter* parameter = difference.parameter;
+    if (parameter == nullptr)
+        return toQString(difference.part);
+    const auto number = [&](double value) {
+        if (parameter->kind == Parameter::Kind::Boolean)
+            return value != 0 ? TakesPanel::tr("on") : TakesPanel::tr("off");
+        return significant(value / parameter->panelDivisor);
+    };
+    const QString text =
+        QStringLiteral("%1 %2 → %3")
+            .arg(toQString(parameter->label), number(difference.before), number(difference.after));
+    return parameter->unit.empty() ? text : text + ' ' + toQString(parameter->unit);
+}
+
 QStringList differences(const Scene& before, const Scene& after) {
     QStringList texts;
-    for (const std::string& text : motionDifferences(before, after))
-        texts << QString::fromStdString(text).replace(QLatin1String("->"), QStringLiteral("→"));
+    for (const SceneDifference& difference : motionDifferences(before, after))
+        texts << textOf(difference);
     return texts;
 }
 
@@ -156,7 +172,8 @@ void TakesPanel::showTake(QTreeWidgetItem& item, const Take& take) {
     const QStringList& changes = changesOf(take);
     QStringList texts{differenceOf(take)};
     if (!changes.isEmpty())
-        texts << tr("%n change(s) while it ran", nullptr, int(changes.size()));
+        texts << (changes.size() == 1 ? tr("1 change while it ran")
+                                      : tr("%1 changes while it ran").arg(changes.size()));
     item.setText(Differs, texts.join(QStringLiteral("; ")));
     constexpr int most = 12;
     QStringList tip = changes.mid(0, most);

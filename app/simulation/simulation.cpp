@@ -330,11 +330,12 @@ void Simulation::record(FramePointer frame) {
     const TakePointer& take = m_recording.take();
     if (begins) {
         announceTake();
-        emit notice(
-            tr("%1 begins at frame %2; %3 keeps the %n frame(s) that follow it there.", nullptr, stale)
-                .arg(QString::fromStdString(take->name()))
-                .arg(take->branchFrame())
-                .arg(QString::fromStdString(before->name())));
+        const QString frames =
+            stale == 1 ? tr("the frame that follows") : tr("the %1 frames that follow").arg(stale);
+        emit notice(tr("%1 begins at frame %2; %3 keeps %4 it there.")
+                        .arg(QString::fromStdString(take->name()))
+                        .arg(take->branchFrame())
+                        .arg(QString::fromStdString(before->name()), frames));
         emit takesChanged();
     }
     m_unsavedSeconds += frame->milliseconds / 1000;

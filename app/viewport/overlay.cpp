@@ -133,14 +133,17 @@ void Overlay::paintPlaceholder(QPainter& painter) const {
 
 // On a dark ground, as the sheet may be behind it.
 void Overlay::paintHint(QPainter& painter) const {
+    if (m_hint.isEmpty())
+        return;
     constexpr int margin = 8;
-    const QRect text = painter.fontMetrics().boundingRect(rect().adjusted(margin, margin, -margin, -margin),
-                                                          Qt::AlignHCenter | Qt::AlignBottom, m_hint);
+    const QRect room = rect().adjusted(2 * margin, margin, -2 * margin, -margin);
+    const QRect text = painter.fontMetrics().boundingRect(
+        room, Qt::AlignHCenter | Qt::AlignBottom | Qt::TextWordWrap, m_hint);
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor(0x18, 0x19, 0x1B, 150));
     painter.drawRoundedRect(text.adjusted(-margin, -2, margin, 2), 4, 4);
     painter.setPen(themeColors(Theme::Dark).dimText);
-    painter.drawText(text, Qt::AlignCenter, m_hint);
+    painter.drawText(text, Qt::AlignCenter | Qt::TextWordWrap, m_hint);
 }
 
 void Overlay::paintEvent(QPaintEvent* /*event*/) {

@@ -99,9 +99,12 @@ void Viewport::updateBadges() {
 }
 
 void Viewport::updateHint() {
-    m_overlay->setHint(m_boxArmed
-                           ? tr("Drag a box around points · Shift adds · Ctrl removes · Esc cancels")
-                           : tr("Left drag orbits · right drag pans · wheel zooms · click selects · B box"));
+    if (m_boxArmed)
+        m_overlay->setHint(tr("Drag a box around points · Shift adds · Ctrl removes · Esc cancels"));
+    else if (m_hasOrbited)
+        m_overlay->setHint({}); // whoever does it knows it
+    else
+        m_overlay->setHint(tr("Left drag orbits · right drag pans · wheel zooms · click selects · B box"));
 }
 
 // --- camera
@@ -260,6 +263,7 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
         m_overlay->setSelectionBox(QRectF(m_pressed, m_previous).toRect());
     if (m_drag != Drag::Orbit && m_drag != Drag::Pan)
         return;
+    m_hasOrbited = m_hasOrbited || m_drag == Drag::Orbit;
     if (m_drag == Drag::Orbit)
         m_camera.orbit(moved);
     else

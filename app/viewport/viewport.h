@@ -93,6 +93,7 @@ private:
     render::Problems m_problems;
 
     Drag m_drag = Drag::None;
+    bool m_hasOrbited = false; // by the mouse
     bool m_boxArmed = false;
     QPointF m_pressed, m_previous;
 };

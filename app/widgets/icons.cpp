@@ -4,8 +4,10 @@
 
 #include <QDir>
 #include <QFile>
+#include <QGuiApplication>
 #include <QIconEngine>
 #include <QPainter>
+#include <QPalette>
 #include <QPixmapCache>
 #include <QSvgRenderer>
 #include <QtDebug>
@@ -27,8 +29,11 @@ void replaceColor(QByteArray& svg, const char* drawn, const QColor& wanted) {
 QByteArray colored(QByteArray svg, QIcon::Mode mode, QIcon::State state) {
     const ThemeColors& c = themeColors();
     const bool disabled = mode == QIcon::Disabled;
-    const bool on = state == QIcon::On && !disabled;
-    const QColor line = disabled ? c.disabledText : c.text;
+    const bool selected = mode == QIcon::Selected; // in a row that is
+    const bool on = state == QIcon::On && !disabled && !selected;
+    const QColor line = disabled   ? c.disabledText
+                        : selected ? QGuiApplication::palette().color(QPalette::HighlightedText)
+                                   : c.text;
 
     replaceColor(svg, "#0072B2", on ? c.structural : line);
     replaceColor(svg, "#E69F00", on ? c.shearing : line);

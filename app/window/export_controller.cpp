@@ -145,7 +145,12 @@ void ExportController::cancel() {
 }
 
 void ExportController::onEnded(const ExportResult& result) {
-    const QString path = QDir::toNativeSeparators(m_job->request().path);
+    const ExportRequest& request = m_job->request();
+    QString path = QDir::toNativeSeparators(request.path);
+    if (isSequence(request.kind) && result.written > 0) // no file has the name without a number
+        path = tr("%1 … %2").arg(
+            QDir::toNativeSeparators(sequencePath(request.path, 0, result.written)),
+            QFileInfo(sequencePath(request.path, result.written - 1, result.written)).fileName());
     // Later: it is the job that tells.
     std::exchange(m_job, nullptr).release()->deleteLater();
     m_status->end();

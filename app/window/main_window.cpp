@@ -139,9 +139,9 @@ void MainWindow::offerRecovery() {
         offerRecovery(); // there may be more
     });
     m_messageBar->offer(
-        tr("ClothLab ended unexpectedly. What was recorded until %1 is still there: %n frame(s).", nullptr,
-           framesIn(*reading.contents))
-            .arg(QLocale::c().toString(QFileInfo(journal).lastModified(), "yyyy-MM-dd HH:mm")),
+        tr("ClothLab ended unexpectedly. What was recorded until %1 is still there (frames: %2).")
+            .arg(QLocale::c().toString(QFileInfo(journal).lastModified(), "yyyy-MM-dd HH:mm"))
+            .arg(framesIn(*reading.contents)),
         {open, discard});
 }
 
