@@ -29,10 +29,18 @@ float hitDistance(const Ray& ray, const QVector3D& a, const QVector3D& b, const 
     return u >= 0 && v >= 0 && u + v <= 1 && t > 0 ? t : miss;
 }
 
-// Depth, along the view direction, of the sheet's surface under a place on the screen; infinity if none is.
-float surfaceDepth(const Camera& camera, const Grid& grid, const PointArray& position, QPointF at,
-                   QSizeF size) {
-    const Ray ray = camera.rayThrough(at, size);
+// The same to where the ray enters a sphere.
+float hitDistance(const Ray& ray, const Sphere& sphere) {
+    const QVector3D toCentre = toVector3D(sphere.origin) - ray.origin;
+    const float along = QVector3D::dotProduct(toCentre, ray.direction);
+    const float besideSquared = toCentre.lengthSquared() - along * along;
+    const float halfChordSquared = float(sphere.radius * sphere.radius) - besideSquared;
+    const float t = along - std::sqrt(std::max(0.0F, halfChordSquared));
+    return halfChordSquared > 0 && t > 0 ? t : std::numeric_limits<float>::infinity();
+}
+
+// Distance along the ray to the sheet's surface, or infinity.
+float surfaceDistance(const Ray& ray, const Grid& grid, const PointArray& position) {
     float nearest = std::numeric_limits<float>::infinity();
     const auto corner = [&](int x, int y) { return toVector3D(position.at(grid.index(x, y))); };
     for (int y = 0; y + 1 < grid.height; ++y)
@@ -41,9 +49,22 @@ float surfaceDepth(const Camera& camera, const Grid& grid, const PointArray& pos
             nearest = std::min({nearest, hitDistance(ray, corner(x, y), b, c),
                                 hitDistance(ray, b, c, corner(x + 1, y + 1))});
         }
+    return nearest;
+}
+
+// Depth, along the view direction, from which on nothing can be seen under the mouse; infinity if there is
+// none.
+float hiddenFrom(const Camera& camera, const Grid& grid, const PointArray& position, const PickQuery& query) {
+    const Ray ray = camera.rayThrough(query.position, query.size);
+    float nearest =
+        query.surfaceHides ? surfaceDistance(ray, grid, position) : std::numeric_limits<float>::infinity();
+    for (const Sphere& sphere : query.spheres)
+        nearest = std::min(nearest, hitDistance(ray, sphere));
     if (!std::isfinite(nearest))
         return nearest;
-    return camera.project(ray.origin + nearest * ray.direction, size).depth;
+    const float depth = camera.project(ray.origin + nearest * ray.direction, query.size).depth;
+    // A point beside the ray may lie a little deeper than where the ray meets the surface.
+    return depth + 4 * float(query.pointRadius) * camera.metresPerPixel(depth, query.size);
 }
 
 // What is under the mouse, as far as a hand can tell.
@@ -92,13 +113,7 @@ std::optional<Selection::Item> pick(const Camera& camera, const Grid& grid, cons
     for (int i = 0; i < int(position.size()); ++i)
         projected[std::size_t(i)] = camera.project(toVector3D(position.at(i)), query.size);
 
-    float behind = std::numeric_limits<float>::infinity();
-    if (query.surfaceHides) {
-        behind = surfaceDepth(camera, grid, position, query.position, query.size);
-        // A point beside the ray may lie a little deeper than where the ray meets the surface.
-        behind += 4 * float(query.pointRadius) * camera.metresPerPixel(behind, query.size);
-    }
-
+    const float behind = hiddenFrom(camera, grid, position, query);
     Candidates points;
     for (int i = 0; i < int(projected.size()); ++i) {
         const Camera::Projected& p = projected[std::size_t(i)];

@@ -4,9 +4,11 @@
 #include "app/document/selection.h"
 #include "app/picture/camera.h"
 #include "simcore/cloth/cloth_state.h"
+#include "simcore/scene/scene.h"
 
 #include <array>
 #include <optional>
+#include <span>
 
 namespace clothlab {
 
@@ -16,7 +18,8 @@ struct PickQuery {
     double pointRadius = 8;                                   // logical pixels
     double springRadius = 5;                                  // logical pixels
     std::array<bool, kSpringTypes> springs{true, true, true}; // which types can be picked
-    bool surfaceHides = true; // what lies behind the sheet's surface cannot be picked
+    bool surfaceHides = true;        // what lies behind the sheet's surface cannot be picked
+    std::span<const Sphere> spheres; // nor what lies behind these
 };
 
 // A point within its radius wins over a spring; of several the nearest on the screen; of those that are as

@@ -173,6 +173,7 @@ std::optional<Selection::Item> Viewport::itemAt(QPointF position) const {
     query.size = size();
     query.springs = appearance.springsDrawn;
     query.surfaceHides = appearance.shader != "Wireframe";
+    query.spheres = m_document.scene().spheres;
     return pick(m_camera, m_document.grid(), m_simulation.shownFrame()->state.position, query);
 }
 

@@ -138,11 +138,10 @@ void MainWindow::offerRecovery() {
             m_recovery.discard(journal);
         offerRecovery(); // there may be more
     });
-    m_messageBar->offer(
-        tr("ClothLab ended unexpectedly. What was recorded until %1 is still there (frames: %2).")
-            .arg(QLocale::c().toString(QFileInfo(journal).lastModified(), "yyyy-MM-dd HH:mm"))
-            .arg(framesIn(*reading.contents)),
-        {open, discard});
+    m_messageBar->offer(tr("A crash left a recording, made until %1 (frames: %2).")
+                            .arg(QLocale::c().toString(QFileInfo(journal).lastModified(), "yyyy-MM-dd HH:mm"))
+                            .arg(framesIn(*reading.contents)),
+                        {open, discard});
 }
 
 void MainWindow::recover(const QString& journal) {

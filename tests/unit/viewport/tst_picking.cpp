@@ -342,6 +342,30 @@ private slots:
         QVERIFY(pick(camera, grid, position, queryAt(corner)) == Item({Kind::Point, 0}));
     }
 
+    void aSphereHidesWhatIsBehindIt() {
+        const Grid grid{5, 5};
+        const PointArray position = uprightSheet(grid);
+        const Camera camera = frontCamera();
+        const auto pickedAt = [&](int point, const std::vector<Sphere>& spheres) {
+            PickQuery query = queryAt(camera.project(at(position, point), kSize).position);
+            query.surfaceHides = false; // as of a wireframe
+            query.spheres = spheres;
+            return pick(camera, grid, position, query);
+        };
+        constexpr int middle = 12, corner = 0;
+        Sphere sphere;
+        sphere.radius = 0.2;
+        sphere.origin = {0.5, 0.5, 0.5};
+        QVERIFY(!pickedAt(middle, {sphere}));
+        QVERIFY(pickedAt(corner, {sphere}) == Item({Kind::Point, corner}));
+        sphere.origin.z() = -0.5;
+        QVERIFY(pickedAt(middle, {sphere}) == Item({Kind::Point, middle}));
+        sphere.origin.z() = -0.2; // the point lies on it
+        QVERIFY(pickedAt(middle, {sphere}) == Item({Kind::Point, middle}));
+        sphere.origin.z() = 5; // behind the camera
+        QVERIFY(pickedAt(middle, {sphere}) == Item({Kind::Point, middle}));
+    }
+
     void aRectangleHoldsThePointsInIt() {
         const Grid grid{6, 5};
         const PointArray position = uprightSheet(grid);
