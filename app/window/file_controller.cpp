@@ -66,7 +66,7 @@ bool FileController::mayDiscard() {
     QMessageBox box(QMessageBox::Question, changes ? tr("Unsaved changes") : tr("Unsaved recording"),
                     question.arg(m_document.displayName()),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &m_window);
-    box.setInformativeText(recording ? tr("What was recorded is in no file. It is lost otherwise.")
+    box.setInformativeText(recording ? tr("The recording is in no file yet, and is lost otherwise.")
                                      : tr("They are lost otherwise."));
     box.setDefaultButton(QMessageBox::Save);
     const QAbstractButton* sceneOnly = nullptr;

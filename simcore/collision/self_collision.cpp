@@ -79,7 +79,7 @@ void SelfCollision::foretell(int band, ConstPointRows position, ConstPointRows l
     }
 }
 
-std::array<double, 3> SelfCollision::commonMotion() const {
+std::array<double, 3> SelfCollision::foretoldMotion() const {
     std::array<double, 3> mean{};
     for (const Band& band : m_bands)
         for (std::size_t axis = 0; axis < 3; ++axis)
@@ -89,13 +89,12 @@ std::array<double, 3> SelfCollision::commonMotion() const {
 
 void SelfCollision::measure(int band, ConstPointRows position, RowRange rows) {
     Band& b = m_bands[std::size_t(band)];
-    const std::array<double, 3> motion = commonMotion();
     if (rows.begin == b.rows.begin) {
         b.farthestSquared = 0;
-        b.commonMotion = std::abs(motion[0]) + std::abs(motion[1]) + std::abs(motion[2]);
+        b.commonMotion = foretoldMotion();
     }
-    b.farthestSquared =
-        std::max(b.farthestSquared, m_kernels->farthestSquared(m_layout, rows, position, m_listedAt, motion));
+    b.farthestSquared = std::max(
+        b.farthestSquared, m_kernels->farthestSquared(m_layout, rows, position, m_listedAt, b.commonMotion));
 }
 
 bool SelfCollision::listsHold(int band) {
@@ -106,7 +105,9 @@ bool SelfCollision::listsHold(int band) {
     for (const Band& each : m_bands)
         farthestSquared = std::max(farthestSquared, each.farthestSquared);
     // A little less than half the skin, for the rounding of the differences.
-    const double slack = 0.499 * mine.skin * m_distance - 1e-12 * mine.commonMotion;
+    const std::array<double, 3>& motion = mine.commonMotion;
+    const double rounding = 1e-12 * (std::abs(motion[0]) + std::abs(motion[1]) + std::abs(motion[2]));
+    const double slack = 0.499 * mine.skin * m_distance - rounding;
     ++mine.age;
     return slack > 0 && farthestSquared < slack * slack;
 }

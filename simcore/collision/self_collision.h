@@ -68,13 +68,13 @@ private:
     };
     struct alignas(64) Band {
         RowRange rows;
-        double listedDistance = -1;       // for which the lists were made; negative: there are none
-        double skin = 0;                  // of the lists, as a share of the distance
-        int age = 0;                      // of the lists, in steps
-        std::array<double, 3> foretold{}; // sum of the motions of a few points since
-        double commonMotion = 0;          // of all points, that does not count in the next
-        double farthestSquared = 0;       // that a point has moved
-        bool crowded = false;             // too many pairs to list
+        double listedDistance = -1;           // for which the lists were made; negative: there are none
+        double skin = 0;                      // of the lists, as a share of the distance
+        int age = 0;                          // of the lists, in steps
+        std::array<double, 3> foretold{};     // sum of the motions of a few points since
+        std::array<double, 3> commonMotion{}; // of all points; that does not count in the next
+        double farthestSquared = 0;           // that a point has moved
+        bool crowded = false;                 // too many pairs to list
         // Within the skin, above the block's point and not next to it in the grid: block after block.
         std::vector<std::uint32_t> listEnd;
         std::vector<NearBlock> listed;
@@ -82,7 +82,7 @@ private:
         CellGrid::Search search;
         std::vector<std::uint32_t> neighbours; // of one point
     };
-    std::array<double, 3> commonMotion() const;
+    std::array<double, 3> foretoldMotion() const;
     bool crowded() const;
     std::size_t listBlock(Band& band, ConstPointRows position, int x, int y, std::size_t at) const;
     bool owns(const Band& band, std::uint32_t slot) const;
