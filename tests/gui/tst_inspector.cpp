@@ -16,6 +16,7 @@ private slots:
     void withoutASelectionItSaysWhatToDo();
     void aPointShowsEverythingThatIsTrueOfIt();
     void aSpringShowsEverythingThatIsTrueOfIt();
+    void whatItShowsMakesNoPanelLarger();
     void numbersFollowTheFrameThatIsShown();
     void numbersFollowEdits();
     void theTableListsTheSpringsOfAPoint();
@@ -146,6 +147,16 @@ void TestInspector::numbersFollowEdits() {
     QCOMPARE(numbers("Stiffness").value(0), 400.0);
     select(Selection::Kind::Point, 0);
     QCOMPARE(line("Pinned"), QStringLiteral("yes"));
+}
+
+void TestInspector::whatItShowsMakesNoPanelLarger() {
+    const QSize before = inspector().minimumSizeHint();
+    select(Selection::Kind::Point, 14);
+    const QSize point = inspector().minimumSizeHint();
+    select(Selection::Kind::Spring, 3);
+    const QSize spring = inspector().minimumSizeHint();
+    QVERIFY(point.height() <= before.height() && spring.height() <= before.height());
+    QVERIFY(point.width() <= before.width() && spring.width() <= before.width());
 }
 
 void TestInspector::theTableListsTheSpringsOfAPoint() {

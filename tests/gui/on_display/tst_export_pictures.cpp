@@ -77,6 +77,8 @@ void TestExportPictures::picturesShowEachFrameAsTheViewDoes() {
     m_window->click(dialog().exportButton());
     TRY_VERIFY(!running());
     QCOMPARE(files(), QStringList({"a %d_0000.png", "a %d_0001.png", "a %d_0002.png", "a %d_0003.png"}));
+    QVERIFY2(dialog().resultText().endsWith("out/a %d_0000.png … a %d_0003.png"),
+             qPrintable(dialog().resultText()));
     for (int i = 0; i < 4; ++i) {
         m_window->simulation().showFrame(10 * i);
         const QImage image(m_window->path(QStringLiteral("out/a %d_000%1.png").arg(i)));
