@@ -20,8 +20,9 @@ void VerletSolver::waitInRound(int step, int passRow) const {
 void VerletSolver::limitRows(int number, int step, RowRange passRows, const StepData& data) {
     Member& member = m_members[std::size_t(number)];
     for (int row = passRows.begin; row < passRows.end; ++row)
-        member.corrections += number == 0 ? m_strainPipeline.limitAt(row, data, *m_kernels)
-                                          : m_strainPipeline.limitAt(row, data, *m_kernels, member.glance);
+        member.strainLimitCorrections += number == 0
+                                             ? m_strainPipeline.limitAt(row, data, *m_kernels)
+                                             : m_strainPipeline.limitAt(row, data, *m_kernels, member.glance);
     member.rowsLimited.store(std::int64_t(step) * m_strainPipeline.rows() + passRows.end,
                              std::memory_order_release);
 }
@@ -41,7 +42,6 @@ void VerletSolver::finishStep(int number, int step, bool isLast, StepData& data)
     const RowRange mine = member.rows;
     const int height = data.layout.height;
     const int behind = m_strainPipeline.rowsBehind();
-    member.corrections = 0;
     if (number > 0) {
         m_colliders.collide(*m_kernels, data, mine);
         m_strainPipeline.look(data, *m_kernels, member.glance);
@@ -67,7 +67,6 @@ void VerletSolver::finishStep(int number, int step, bool isLast, StepData& data)
         waitInRound(step, std::min(end - 1 + kReach, height - 1) + behind);
         finishUpTo(end);
     }
-    member.strainLimitCorrections += member.corrections;
     if (!isLast)
         std::swap(data.position, data.last);
 }

@@ -89,7 +89,6 @@ private:
         StrainPipeline::Glance glance;
         alignas(64) int runaway = -1; // slot, after Verlet; apart from what others read all the time
         int runawayAtEnd = -1;        // after the strain limit
-        int corrections = 0;          // of the step at hand
         std::int64_t strainLimitCorrections = 0;
         alignas(64) std::atomic<std::int64_t> rowsLimited{0}; // of the strain limit's passes, over all steps
     };

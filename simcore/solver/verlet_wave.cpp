@@ -61,7 +61,7 @@ bool VerletSolver::limitInWave(int number, int step, RowRange rows, const StepDa
     const int behind = m_strainPipeline.rowsBehind();
     const std::int64_t passed = std::int64_t(step) * m_strainPipeline.rows();
     for (int row = rows.begin; row < end; ++row) {
-        member.corrections += m_strainPipeline.limitAt(row, data, *m_kernels);
+        member.strainLimitCorrections += m_strainPipeline.limitAt(row, data, *m_kernels);
         if (row >= behind)
             member.runawayAtEnd = m_kernels->firstRunaway(data, {row - behind, row - behind + 1});
         if (member.runawayAtEnd >= 0) {
@@ -77,7 +77,6 @@ bool VerletSolver::limitInWave(int number, int step, RowRange rows, const StepDa
 
 bool VerletSolver::stepInWave(int number, int step, StepData& data) {
     Member& member = m_members[std::size_t(number)];
-    member.corrections = 0;
     if (!moveInWave(number, step, data))
         return false;
     if (number > 0) {
@@ -86,7 +85,6 @@ bool VerletSolver::stepInWave(int number, int step, StepData& data) {
             !limitInWave(number, step, member.rows, data))
             return false;
     }
-    member.strainLimitCorrections += member.corrections;
     return true;
 }
 
